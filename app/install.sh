@@ -10,7 +10,7 @@
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 
-core='g++ cmake ninja-build pkg-config libcli11-dev libpugixml-dev libpng-dev libeigen3-dev'
+core='g++ cmake ninja-build pkg-config libcli11-dev libtomlplusplus-dev libpugixml-dev libpng-dev libeigen3-dev'
 editor='libimgui-dev python3-glad libglfw3-dev libglm-dev libstb-dev libfreetype-dev libxcb1-dev libegl-dev libgl-dev
     libopengl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb0 fonts-inter fonts-dejavu-core'
 tests='doctest-dev nlohmann-json3-dev libboost-dev libmuparser-dev python3 xvfb xauth xdotool xclip x11-utils imagemagick

@@ -63,6 +63,7 @@
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/pipeline/run_estimate.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/meshing_session.hpp"
 #include "core/engine/spacing/spec/size_grid.hpp"

@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDERS = ["app", "core", "ui"]
-COMMANDS = [[], ["view"], ["mesh"], ["check"], ["adapt"], ["convert"], ["film"], ["trace"], ["tables"], ["run"]]
+COMMANDS = [[], ["view"], ["mesh"], ["check"], ["adapt"], ["convert"], ["film"], ["trace"], ["tables"], ["run"], ["help"], ["completion"]]
 TOKEN = re.compile(
     r'//[^\n]*|/\*.*?\*/'                      # comments
     r'|R"(?P<tag>[^(\s]*)\((?P<raw>.*?)\)(?P=tag)"'

@@ -282,13 +282,14 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
 
 } // namespace
 
-int adaptCommand(int argc, const char *const *argv) {
+int adaptCommand(const CommandLine &line) {
     AdaptArguments arguments;
     CLI::App app("Remeshes until a field is represented to a requested accuracy, with as few elements as possible.",
                  "forefront adapt");
     app.footer(kAdaptExamples);
     addAdaptOptions(app, arguments);
-    if (const auto code = parseOptions(app, argc, argv)) {
+    addConfigOption(app);
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     std::string wrong = checkFormats(arguments.outputs, arguments.formats);

@@ -295,7 +295,7 @@ int check(CheckArguments &arguments) {
 
 } // namespace
 
-int checkCommand(int argc, const char *const *argv) {
+int checkCommand(const CommandLine &line) {
     CheckArguments arguments;
     CLI::App app("Checks a mesh, alone or against its domain.", "forefront check");
     app.footer(kCheckExamples);
@@ -331,7 +331,8 @@ int checkCommand(int argc, const char *const *argv) {
                    "write the verdict and the figures as JSON, with the names that mesh --stats has for them; -: print "
                    "them instead of the summary")
         ->type_name("FILE.json");
-    if (const auto code = parseOptions(app, argc, argv)) {
+    addConfigOption(app);
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     const std::string wrong = checkInputs({arguments.mesh, arguments.domain}, arguments.inputFormat);

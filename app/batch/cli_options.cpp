@@ -1,7 +1,7 @@
 #include "app/batch/cli_options.hpp"
 
-#include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
+#include "app/batch/option_table.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/suggestion.hpp"
 #include "core/engine/base/letter_case.hpp"
@@ -60,82 +60,6 @@ std::vector<double> numbersIn(std::string_view text, char separator, std::size_t
     return numbers;
 }
 
-/// Returns the long names of all options, "--size" and so on.
-std::vector<std::string> optionNames(const CLI::App &app) {
-    std::vector<std::string> names;
-    for (const CLI::Option *option : app.get_options()) {
-        for (const std::string &name : option->get_lnames()) {
-            names.push_back("--" + name);
-        }
-    }
-    for (const CLI::App *const group : app.get_subcommands([](const CLI::App *) { return true; })) {
-        const std::vector<std::string> more = optionNames(*group);
-        names.insert(names.end(), more.begin(), more.end());
-    }
-    return names;
-}
-
-/// Lists the arguments that no option or input accepts, in order. A single unknown option gets a suggestion.
-std::string unexpectedArguments(const CLI::App &app) {
-    const std::vector<std::string> arguments = app.remaining();
-    std::string options, others;
-    const auto isOption = [](const std::string &argument) { return argument.size() > 1 && argument.front() == '-'; };
-    if (std::count_if(arguments.begin(), arguments.end(), isOption) == 1) {
-        const std::string &unknown = *std::find_if(arguments.begin(), arguments.end(), isOption);
-        const std::vector<std::string> names = optionNames(app);
-        return "unknown option '" + unknown + '\'' +
-               suggestion(std::string_view(unknown).substr(0, unknown.find('=')),
-                          std::vector<std::string_view>(names.begin(), names.end()));
-    }
-    for (const std::string &argument : arguments) {
-        std::string &list = isOption(argument) ? options : others;
-        list += (list.empty() ? "'" : ", '") + argument + '\'';
-    }
-    return options.empty() ? "unexpected argument " + others : "unknown option " + options;
-}
-
-/// Returns the names of options as "--size, --spacing".
-std::string namesOf(const std::vector<const CLI::Option *> &options) {
-    std::string names;
-    for (const CLI::Option *option : options) {
-        names += (names.empty() ? "" : ", ") + option->get_name();
-    }
-    return names;
-}
-
-/// Describes the first group of options of which too few or too many are given; empty if there is none.
-std::string groupFault(const CLI::App &app) {
-    for (const CLI::App *const group : app.get_subcommands([](const CLI::App *) { return true; })) {
-        const std::vector<const CLI::Option *> all =
-            group->get_options([](const CLI::Option *option) { return option->get_name() != "--help"; });
-        std::vector<const CLI::Option *> given;
-        std::copy_if(all.begin(), all.end(), std::back_inserter(given),
-                     [](const CLI::Option *option) { return option->count() > 0; });
-        if (given.size() < group->get_require_option_min()) {
-            return "missing option; add one of " + namesOf(all);
-        }
-        if (group->get_require_option_max() > 0 && given.size() > group->get_require_option_max()) {
-            return "only one of " + namesOf(all) + " can be given, got " + namesOf(given);
-        }
-    }
-    return {};
-}
-
-/// Describes what is wrong with the command line, in our own words where CLI11's are hard to understand.
-std::string parseFault(const CLI::App &app, const CLI::ParseError &error) {
-    const std::string text = error.what();
-    const std::size_t colon = text.find(": ");
-    if (error.get_name() == "ArgumentMismatch" && text.ends_with(" missing") && colon != std::string::npos) {
-        return text.substr(0, colon) + ": missing value";
-    }
-    constexpr std::string_view kOnce = "At Most 1 required but received ";
-    if (const std::size_t at = text.find(kOnce); at != std::string::npos && colon != std::string::npos) {
-        return text.substr(0, colon) + ": given " + text.substr(at + kOnce.size()) + " times; expected once";
-    }
-    const std::string fault = error.get_name() == "RequiredError" ? groupFault(app) : std::string();
-    return fault.empty() ? text : fault;
-}
-
 } // namespace
 
 CLI::Validator positiveNumber() {
@@ -170,14 +94,19 @@ CLI::Validator wholeNumberWithin(int minimum, int maximum) {
 }
 
 CLI::Validator oneOf(std::span<const std::string_view> words) {
-    std::string expected = "one of ";
+    std::string expected = "expected one of ";
     for (const std::string_view word : words) {
         expected += word;
         expected += word == words.back() ? "" : ", ";
     }
-    return check(std::move(expected), [words](const std::string &text) {
-        return std::find(words.begin(), words.end(), text) != words.end();
-    });
+    return withWords(CLI::Validator(
+                         [words, expected = std::move(expected)](const std::string &text) {
+                             const bool known = std::find(words.begin(), words.end(), text) != words.end();
+                             return known ? std::string()
+                                          : expected + ", got '" + text + '\'' + suggestion(text, words);
+                         },
+                         ""),
+                     words);
 }
 
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression) {
@@ -260,6 +189,7 @@ CLI::Option *addBoxOption(CLI::App &app, const std::string &name, const std::str
 void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId) {
     app.add_option("--input-format", formatId,
                    "format of " + input + ", if content and extension are ambiguous: " + inputFormatIds())
+        ->check(offering(inputFormatIds()))
         ->type_name("ID");
 }
 
@@ -271,6 +201,7 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
                        ->type_name("OUT");
     app.add_option("--format", formats, "formats of the outputs, in the order of -o: " + formatIds())
         ->allow_extra_args(false)
+        ->check(offering(formatIds()))
         ->type_name("ID");
     addWordOption<InnerEdges>(app, "--inner-edges", form.innerEdges,
                               "tagged edges inside the domain in the output meshes: keep (default, except for SU2) or "
@@ -316,6 +247,7 @@ void addParameterOption(CLI::App &app, std::map<std::string, std::string> &param
                }
            },
            "set a parameter of the project, such as r=0.5 or gap=2*r; can be repeated")
+        ->allow_extra_args(false)
         ->type_name("NAME=EXPR");
 }
 
@@ -428,25 +360,6 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
            "--no-white-holes", [&arguments] { arguments.whiteHoles = false; },
            "white filled SVG shapes that lie on others are merged with them")
         ->excludes(holes);
-}
-
-std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {
-    try {
-        app.parse(argc, argv);
-        return std::nullopt;
-    } catch (const CLI::CallForHelp &help) {
-        return app.exit(help);
-    } catch (const CLI::ExtrasError &) {
-        return wrongUsage(app.get_name(), unexpectedArguments(app));
-    } catch (const CLI::ParseError &error) {
-        return wrongUsage(app.get_name(), parseFault(app, error));
-    }
-}
-
-int wrongUsage(const std::string &command, std::string_view message) {
-    std::fprintf(stderr, "%s: %.*s\nRun with --help for more information.\n", command.c_str(),
-                 static_cast<int>(message.size()), message.data());
-    return kUsage;
 }
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/command_line.hpp"
 #include "app/batch/outputs.hpp"
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/mesher/options.hpp"
@@ -97,9 +98,12 @@ struct DrawingArguments {
 /// --drop-lines, --stroke-areas and --shape-regions.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 
-/// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after
-/// printing help, 2 after printing a usage error.
-std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv);
+/// Adds --config, a file of options, which parseOptions() reads.
+void addConfigOption(CLI::App &app);
+
+/// Parses the command line, or describes the options if that is asked for. Returns std::nullopt to continue, or the
+/// exit code if the program has to end: 0 after printing help, 2 after printing a usage error.
+std::optional<int> parseOptions(CLI::App &app, const CommandLine &line);
 
 /// Prints the usage error of `command` ("forefront mesh") to stderr and returns the exit code.
 int wrongUsage(const std::string &command, std::string_view message);

@@ -1,38 +1,45 @@
 #pragma once
 
+#include "app/batch/command_line.hpp"
+#include "app/batch/option_table.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace forefront {
 
-/// Runs `forefront mesh ...` and returns the exit code; argv[0] is the word "mesh".
-int meshCommand(int argc, const char *const *argv);
+/// Each of these runs the command `forefront NAME ...` and returns the exit code.
+int meshCommand(const CommandLine &line);
+int checkCommand(const CommandLine &line);
+int adaptCommand(const CommandLine &line);
+int convertCommand(const CommandLine &line);
+int infoCommand(const CommandLine &line);
+int formatsCommand(const CommandLine &line);
+int filmCommand(const CommandLine &line);
+int tablesCommand(const CommandLine &line);
+int rulesCommand(const CommandLine &line);
+int traceCommand(const CommandLine &line);
+int runCommand(const CommandLine &line);
+int completionCommand(const CommandLine &line);
+int helpCommand(const CommandLine &line);
 
-/// Runs `forefront check ...` and returns the exit code; argv[0] is the word "check".
-int checkCommand(int argc, const char *const *argv);
+/// A command by its name.
+struct NamedCommand {
+    std::string_view name;
+    int (*run)(const CommandLine &) = nullptr;
+};
+/// Returns the batch commands in the order of the help text.
+std::span<const NamedCommand> batchCommands();
+/// Returns the batch command of this name; null if there is none.
+const NamedCommand *batchCommand(std::string_view name);
+/// Describes all batch commands.
+std::vector<CommandInfo> describeCommands();
+/// Returns the usage error for a word that is no command; `expected` ends the list of what was expected.
+std::string unknownCommandText(std::string_view word, std::string_view expected);
 
-/// Runs `forefront adapt ...` and returns the exit code; argv[0] is the word "adapt".
-int adaptCommand(int argc, const char *const *argv);
-
-/// Runs `forefront convert ...` and returns the exit code; argv[0] is the word "convert".
-int convertCommand(int argc, const char *const *argv);
-
-/// Runs `forefront info ...` and returns the exit code; argv[0] is the word "info".
-int infoCommand(int argc, const char *const *argv);
-
-/// Runs `forefront formats ...` and returns the exit code; argv[0] is the word "formats".
-int formatsCommand(int argc, const char *const *argv);
-
-/// Runs `forefront film ...` and returns the exit code; argv[0] is the word "film".
-int filmCommand(int argc, const char *const *argv);
-
-/// Runs `forefront tables ...` and returns the exit code; argv[0] is the word "tables".
-int tablesCommand(int argc, const char *const *argv);
-
-/// Runs `forefront rules ...` and returns the exit code; argv[0] is the word "rules".
-int rulesCommand(int argc, const char *const *argv);
-
-/// Runs `forefront trace ...` and returns the exit code; argv[0] is the word "trace".
-int traceCommand(int argc, const char *const *argv);
-
-/// Runs `forefront run ...` and returns the exit code; argv[0] is the word "run".
-int runCommand(int argc, const char *const *argv);
+/// Returns the help text of the program.
+std::string_view usageText();
 
 } // namespace forefront

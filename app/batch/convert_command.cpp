@@ -9,6 +9,7 @@
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
+#include "app/batch/several_inputs.hpp"
 #include "app/batch/tags_option.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/cancelled.hpp"
@@ -44,6 +45,8 @@ Examples:
         triangles and quadrilaterals of both orders, with sets as regions and boundary parts
   forefront convert plate.msh -o plate.vtu -o plate.su2
         the same mesh in two formats
+  forefront convert plate.msh bridge.msh -o "{}.vtu"
+        each mesh into a file of its name
   forefront convert quads.msh -o triangles.node --triangles
         quadrilaterals become triangles, and elements of second order become several of first order
   forefront convert plate.msh -o second.msh --order 2
@@ -60,10 +63,11 @@ Examples:
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
 struct ConvertArguments {
-    std::filesystem::path mesh; ///< "-": standard input
+    std::vector<std::filesystem::path> meshes; ///< "-": standard input
+    std::filesystem::path mesh;                ///< one of them
     std::string inputFormat;
-    std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
+    std::vector<std::filesystem::path> outputs; ///< "{}" in a name: the name of the mesh without its extension
+    std::vector<std::string> formats;           ///< ids for the outputs in order; the rest by extension
     MeshForm form;
     bool triangles = false;            ///< split all elements into triangles of 3 nodes
     std::optional<ElementOrder> order; ///< raise the order of elements to this one
@@ -249,11 +253,14 @@ int runConvert(const ConvertArguments &arguments) {
 
 } // namespace
 
-int convertCommand(int argc, const char *const *argv) {
+int convertCommand(const CommandLine &line) {
     ConvertArguments arguments;
     CLI::App app("Writes a mesh in other formats.", "forefront convert");
     app.footer(kConvertExamples);
-    app.add_option("MESH", arguments.mesh, meshFileHelp())->required();
+    app.add_option("MESH", arguments.meshes,
+                   meshFileHelp() + "; several: each is converted, and {} in the names of outputs is replaced by the "
+                                    "name of the mesh without its extension")
+        ->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form)->required();
     addOpenOption(app, arguments.form);
@@ -271,7 +278,8 @@ int convertCommand(int argc, const char *const *argv) {
         ->needs("--order")
         ->type_name("N");
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
-    if (const auto code = parseOptions(app, argc, argv)) {
+    addConfigOption(app);
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     std::string wrong = checkFormats(arguments.outputs, arguments.formats);
@@ -288,18 +296,34 @@ int convertCommand(int argc, const char *const *argv) {
         wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));
     }
     if (wrong.empty()) {
-        wrong = checkInputs({arguments.mesh}, arguments.inputFormat);
+        wrong = checkInputs({arguments.meshes.front()}, arguments.inputFormat);
+    }
+    if (wrong.empty()) {
+        wrong = checkStems(arguments.meshes, arguments.outputs);
     }
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);
     }
-    std::vector<std::filesystem::path> inputs{arguments.mesh};
+    std::vector<ConvertArguments> runs;
+    std::vector<Output> files;
+    for (const std::filesystem::path &mesh : arguments.meshes) {
+        ConvertArguments &one = runs.emplace_back(arguments);
+        one.mesh = mesh;
+        for (std::filesystem::path &output : one.outputs) {
+            output = withStem(output, mesh);
+        }
+        const std::vector<Output> outputs = pairFormats(one.outputs, one.formats);
+        files.insert(files.end(), outputs.begin(), outputs.end());
+    }
+    std::vector<std::filesystem::path> inputs = arguments.meshes;
     if (arguments.form.elevation && isElevationFile(*arguments.form.elevation)) {
         inputs.emplace_back(*arguments.form.elevation);
     }
-    const Diagnostics faults = checkOutputs(pairFormats(arguments.outputs, arguments.formats), inputs);
-    printFaults(faults);
-    return faults.empty() ? runConvert(arguments) : static_cast<int>(kRefused);
+    if (const Diagnostics faults = checkOutputs(files, inputs); !faults.empty()) {
+        printFaults(faults);
+        return kRefused;
+    }
+    return runEach(arguments.meshes, arguments.quiet, [&](std::size_t k) { return runConvert(runs[k]); });
 }
 
 } // namespace forefront

@@ -137,13 +137,14 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
 
 } // namespace
 
-int filmCommand(int argc, const char *const *argv) {
+int filmCommand(const CommandLine &line) {
     FilmArguments arguments;
     CLI::App app("Writes a film of a meshing run: an animated GIF, a video, a page, numbered frames, or one moment.",
                  "forefront film");
     app.footer(kFilmExamples);
     addFilmOptions(app, arguments);
-    if (const auto code = parseOptions(app, argc, argv)) {
+    addConfigOption(app);
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     const FilmPlan plan = planOf(arguments);

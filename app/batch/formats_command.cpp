@@ -97,12 +97,12 @@ std::string formatsJson() {
 
 } // namespace
 
-int formatsCommand(int argc, const char *const *argv) {
+int formatsCommand(const CommandLine &line) {
     bool json = false;
     CLI::App app("Lists the file formats that can be read and written.", "forefront formats");
     app.footer(kFormatsExamples);
     app.add_flag("--json", json, "print the list as JSON, with the kinds of elements that each format holds");
-    if (const auto code = parseOptions(app, argc, argv)) {
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     const Status printed = printText(json ? formatsJson() : formatsTable());

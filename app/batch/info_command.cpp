@@ -274,14 +274,14 @@ Diagnostics describe(const Input &input, const FileFormat &format, FileInfo &inf
 
 } // namespace
 
-int infoCommand(int argc, const char *const *argv) {
+int infoCommand(const CommandLine &line) {
     InfoArguments arguments;
     CLI::App app("Tells what a mesh, domain or project file holds.", "forefront info");
     app.footer(kInfoExamples);
     app.add_option("FILE", arguments.file, "mesh, domain or project; -: standard input")->required();
     addInputFormatOption(app, "FILE", arguments.inputFormat);
     app.add_flag("--json", arguments.json, "print JSON");
-    if (const auto code = parseOptions(app, argc, argv)) {
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     if (const std::string wrong = checkInputs({arguments.file}, arguments.inputFormat); !wrong.empty()) {

@@ -1,11 +1,13 @@
 #include "app/batch/inputs.hpp"
 
 #include "app/batch/exit_code.hpp"
+#include "app/batch/suggestion.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/files/source/source.hpp"
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -139,8 +141,17 @@ std::string checkInputs(std::initializer_list<std::optional<std::filesystem::pat
     }
     const FileFormat *const format = allFormats().withId(formatId);
     const bool known = formatId.empty() || (format != nullptr && (format->readsDomain || format->readsMesh));
-    return known ? std::string()
-                 : "--input-format: unknown format '" + formatId + "'; expected one of " + inputFormatIds();
+    if (known) {
+        return {};
+    }
+    std::vector<std::string_view> ids;
+    for (const FileFormat &each : allFormats().list()) {
+        if (each.readsDomain || each.readsMesh) {
+            ids.emplace_back(each.id);
+        }
+    }
+    return "--input-format: unknown format '" + formatId + "'; expected one of " + inputFormatIds() +
+           suggestion(formatId, ids);
 }
 
 std::string extensionList(bool (*accepts)(const FileFormat &)) {

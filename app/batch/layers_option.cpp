@@ -1,5 +1,6 @@
 #include "app/batch/layers_option.hpp"
 
+#include "app/batch/suggestion.hpp"
 #include "core/files/common/names.hpp"
 
 #include <algorithm>
@@ -26,7 +27,9 @@ std::string setValue(std::string_view key, std::string_view value, LayerSpec &sp
     if (key == "type") {
         const std::optional<LayerCells> cells = fromWord<LayerCells>(value);
         spec.cells = cells.value_or(spec.cells);
-        return cells ? "" : "unknown type '" + std::string(value) + "'; expected " + wordList<LayerCells>();
+        return cells ? ""
+                     : "unknown type '" + std::string(value) + "'; expected " + wordList<LayerCells>() +
+                           suggestion(value, wordsOf<LayerCells>());
     }
     const std::optional<double> number = numberOf(value);
     if (!number) {
@@ -62,7 +65,8 @@ std::string parseOne(const std::string &text, LayersArgument &layers) {
         const std::string_view key = item.substr(0, item.find('='));
         constexpr std::array<std::string_view, 5> kKnown = {"first", "growth", "count", "thickness", "type"};
         if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end() || key.size() == item.size()) {
-            return "unknown setting '" + std::string(item) + "'; expected KEY=VALUE with " + kKeys;
+            return "unknown setting '" + std::string(item) + "'; expected KEY=VALUE with " + kKeys +
+                   suggestion(key, kKnown);
         }
         if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
             return std::string(key) + " is given twice";
@@ -123,7 +127,9 @@ Diagnostics applyLayers(const std::vector<LayersArgument> &layers, MeshingJob &j
                 known.push_back(name);
             }
             constexpr std::size_t kListed = 20;
-            return error("unknown-boundary", "--layers: unknown boundary part " + argument.name,
+            const std::vector<std::string_view> words(known.begin(), known.end());
+            return error("unknown-boundary",
+                         "--layers: unknown boundary part " + argument.name + suggestion(argument.name, words),
                          "expected one of " + listed(known, kListed));
         }
     }

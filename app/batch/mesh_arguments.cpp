@@ -5,8 +5,11 @@
 #include "app/batch/extrude_option.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/open_boundaries.hpp"
+#include "app/batch/option_table.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/rules_option.hpp"
+#include "app/batch/several_inputs.hpp"
+#include "app/batch/suggestion.hpp"
 #include "app/batch/tags_option.hpp"
 
 #include <algorithm>
@@ -39,6 +42,12 @@ Examples:
         a case of OpenFOAM, one cell thick
   forefront mesh lake.geojson -o lake.14 --elevation depth.asc
         a grid of ADCIRC with the depths of a raster
+  forefront mesh lake.geojson plate.poly -o "{}.vtu" --stats "{}.json"
+        each file with its own outputs: lake.vtu, lake.json, plate.vtu, plate.json
+  forefront mesh lake.geojson --size 0.1 --dry-run
+        how many elements that would be, and about how much memory and time they would take
+  forefront mesh lake.geojson --config fine.toml -o lake.vtu
+        options of a file with lines such as size = 0.5, verify = true and set = {r = "2*d"}
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
@@ -70,7 +79,8 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
             }
         }
     }
-    return "--grid: unknown grid '" + text + "'; expected " + wordList<GridKind>() + ", or uniform:COLSxROWS";
+    return "--grid: unknown grid '" + text + "'; expected " + wordList<GridKind>() + ", or uniform:COLSxROWS" +
+           suggestion(text, wordsOf<GridKind>());
 }
 
 /// Returns the extensions of files of a kind that hold a spacing.
@@ -105,6 +115,7 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
     app.add_option("--grid", grid,
                    "background grid: " + wordList<GridKind>() + ", or uniform:COLSxROWS; default " +
                        std::string(wordOf(MeshingOptions().grid)))
+        ->check(offering(wordsOf<GridKind>()))
         ->type_name("KIND");
     app.add_flag("--keep-boundary", arguments.keepBoundary,
                  "keep the given segments as mesh edges; do not subdivide them");
@@ -130,21 +141,43 @@ void addImportOptions(CLI::App &app, MeshArguments &arguments) {
         ->excludes(app.get_option("--repair"));
 }
 
+/// Returns the files that are written for each input, without standard output.
+std::vector<std::filesystem::path> namedOutputs(const MeshArguments &arguments) {
+    std::vector<std::filesystem::path> files = arguments.outputs;
+    if (arguments.statistics && !arguments.printsStatistics()) {
+        files.push_back(*arguments.statistics);
+    }
+    return files;
+}
+
 } // namespace
 
-std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
+MeshArguments MeshArguments::of(const std::filesystem::path &file) const {
+    MeshArguments one = *this;
+    one.input = file;
+    for (std::filesystem::path &output : one.outputs) {
+        output = withStem(output, file);
+    }
+    if (one.statistics) {
+        one.statistics = withStem(*one.statistics, file);
+    }
+    return one;
+}
+
+std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     MeshArguments arguments;
     std::string grid;
     std::vector<std::string> layers;
     CLI::App app("Meshes a planar domain with triangles or quadrilaterals by the advancing front technique.",
                  "forefront mesh");
     app.footer(kMeshExamples);
-    app.add_option("IN", arguments.input,
+    app.add_option("IN", arguments.inputs,
                    "project (" + extensionList([](const FileFormat &each) { return each.kind == FileKind::Project; }) +
                        ") or domain (" + extensionList([](const FileFormat &each) {
                            return each.readsDomain && each.kind != FileKind::Project;
                        }) +
-                       "); -: standard input")
+                       "); -: standard input; several: each is meshed, and {} in the names of outputs is replaced by "
+                       "the name of the input without its extension")
         ->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form);
@@ -188,8 +221,12 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     addMaxElementsOption(app, arguments.maxElements);
     app.add_option("--stats", arguments.statistics, "write statistics as JSON; -: print them instead of the summary")
         ->type_name("FILE.json");
+    auto *const dry = app.add_flag("--dry-run", arguments.dryRun,
+                                   "estimate elements, memory and time without meshing; nothing is written");
+    app.add_flag("--json", arguments.json, "print the estimate of --dry-run as JSON")->needs(dry);
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
-    if (const auto code = parseOptions(app, argc, argv)) {
+    addConfigOption(app);
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     std::string wrong = grid.empty() ? std::string() : parseGrid(grid, arguments);
@@ -200,7 +237,10 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         wrong = checkFormats(arguments.outputs, arguments.formats);
     }
     if (wrong.empty()) {
-        wrong = checkInputs({arguments.input, arguments.spacingFile}, arguments.inputFormat);
+        wrong = checkInputs({arguments.inputs.front(), arguments.spacingFile}, arguments.inputFormat);
+    }
+    if (wrong.empty()) {
+        wrong = checkStems(arguments.inputs, namedOutputs(arguments));
     }
     if (wrong.empty() && (arguments.pictureSizes || arguments.pictureBox) && !arguments.spacingFile) {
         wrong = "--picture-sizes and --picture-box belong to a picture; add --spacing-file FILE.png";
@@ -224,7 +264,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     if (wrong.empty()) {
         wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));
     }
-    if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics) {
+    if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics && !arguments.dryRun) {
         wrong = "no output; add -o OUT or --stats FILE.json";
     }
     if (!wrong.empty()) {

@@ -17,10 +17,11 @@ namespace forefront {
 
 /// The command line of `forefront mesh`.
 struct MeshArguments {
-    std::filesystem::path input; ///< "-": standard input
-    std::string inputFormat;     ///< id; empty: by content and extension
-    std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
+    std::vector<std::filesystem::path> inputs;  ///< "-": standard input
+    std::filesystem::path input;                ///< of() sets it
+    std::string inputFormat;                    ///< id; empty: by content and extension
+    std::vector<std::filesystem::path> outputs; ///< "{}" in a name: the name of the input without its extension
+    std::vector<std::string> formats;           ///< ids for the outputs in order; the rest by extension
     MeshForm form;
     std::map<std::string, std::string> parameters; ///< expressions by name, from --set
     std::optional<double> size;
@@ -50,14 +51,18 @@ struct MeshArguments {
     std::optional<unsigned> threads;
     std::optional<double> maxElements;
     std::optional<std::filesystem::path> statistics;
+    bool dryRun = false; ///< estimate the run instead of meshing
+    bool json = false;   ///< print JSON
     bool quiet = false;
 
     /// Returns true if the statistics go to standard output, which then receives nothing else.
     bool printsStatistics() const { return statistics && *statistics == "-"; }
+    /// Returns the arguments for one of the inputs, with its name in those of the outputs.
+    MeshArguments of(const std::filesystem::path &file) const;
 };
 
 /// Parses the command line. Returns the arguments, or the exit code if the program has to end: 0 after printing help, 2
 /// after printing a usage error.
-std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv);
+std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line);
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/elevation_option.hpp"
+#include "app/batch/estimate_report.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
@@ -11,6 +12,7 @@
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
 #include "app/batch/rules_option.hpp"
+#include "app/batch/several_inputs.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
@@ -26,6 +28,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -320,13 +323,25 @@ int runMesh(const MeshArguments &arguments) {
         return refuse(faults, interrupt);
     }
 
-    const Result<MeshingOutcome> outcome = bar.during({}, [&] { return meshDomain(*job, progress); });
-    if (!outcome) {
-        const Diagnostics wrong = meshingFaults(outcome.faults(), job->domain, input, repaired ? &*repaired : nullptr);
+    const auto refuseRun = [&](const Diagnostics &why) {
+        const Diagnostics wrong = meshingFaults(why, job->domain, input, repaired ? &*repaired : nullptr);
         const Input &owner = files->spacing ? *files->spacing : input;
         const int code = refuse(arguments.expression ? wrong : locateSpacing(wrong, owner), interrupt);
-        const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
+        const bool mistyped = arguments.expression && hasCode(why, "expression-syntax");
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
+    };
+    if (arguments.dryRun) {
+        const Result<RunEstimate> estimate = bar.during({}, [&] { return estimateRun(*job, progress); });
+        if (!estimate) {
+            return refuseRun(estimate.faults());
+        }
+        const Status printed = printText(arguments.json ? estimateJson(*estimate, arguments.input.string())
+                                                        : estimateText(*estimate, job->options));
+        return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
+    }
+    const Result<MeshingOutcome> outcome = bar.during({}, [&] { return meshDomain(*job, progress); });
+    if (!outcome) {
+        return refuseRun(outcome.faults());
     }
     if (!arguments.quiet) {
         printFaults(outcome->spacing->notes());
@@ -334,7 +349,8 @@ int runMesh(const MeshArguments &arguments) {
     }
     printFaults(violatedLimits(outcome->mesh, read->limits, outcome->spacing.get()));
     printFaults(largeElements(outcome->mesh, job->domain, job->spacing.placed.regions));
-    const RunReport report = reportOf(*outcome, job->options);
+    RunReport report = reportOf(*outcome, job->options);
+    report.input = arguments.input.string();
     faults = bar.during({}, [&] { return writeResults(arguments, outcome->mesh, report, progress); });
     if (hasErrors(faults)) {
         return refuse(faults, interrupt);
@@ -352,26 +368,35 @@ int runMesh(const MeshArguments &arguments) {
 
 } // namespace
 
-int meshCommand(int argc, const char *const *argv) {
-    const auto parsed = parseMeshArguments(argc, argv);
+int meshCommand(const CommandLine &line) {
+    const auto parsed = parseMeshArguments(line);
     if (const int *code = std::get_if<int>(&parsed)) {
         return *code;
     }
-    const MeshArguments &arguments = std::get<MeshArguments>(parsed);
-    std::vector<Output> files = pairFormats(arguments.outputs, arguments.formats);
-    if (arguments.statistics && !arguments.printsStatistics()) {
-        files.push_back({*arguments.statistics, {}});
+    const MeshArguments &all = std::get<MeshArguments>(parsed);
+    std::vector<MeshArguments> runs;
+    std::vector<Output> files;
+    for (const std::filesystem::path &input : all.inputs) {
+        const MeshArguments &one = runs.emplace_back(all.of(input));
+        const std::vector<Output> outputs = pairFormats(one.outputs, one.formats);
+        files.insert(files.end(), outputs.begin(), outputs.end());
+        if (one.statistics && !one.printsStatistics()) {
+            files.push_back({*one.statistics, {}});
+        }
     }
-    std::vector<std::filesystem::path> inputs{arguments.input};
-    if (arguments.spacingFile) {
-        inputs.emplace_back(*arguments.spacingFile);
+    std::vector<std::filesystem::path> inputs = all.inputs;
+    if (all.spacingFile) {
+        inputs.emplace_back(*all.spacingFile);
     }
-    if (arguments.form.elevation && isElevationFile(*arguments.form.elevation)) {
-        inputs.emplace_back(*arguments.form.elevation);
+    if (all.form.elevation && isElevationFile(*all.form.elevation)) {
+        inputs.emplace_back(*all.form.elevation);
     }
-    const Diagnostics faults = checkOutputs(files, inputs);
-    printFaults(faults);
-    return faults.empty() ? runMesh(arguments) : static_cast<int>(kRefused);
+    if (const Diagnostics faults = checkOutputs(files, inputs); !faults.empty()) {
+        printFaults(faults);
+        return kRefused;
+    }
+    return runEach(all.inputs, all.quiet || all.json || all.printsStatistics(),
+                   [&](std::size_t k) { return runMesh(runs[k]); });
 }
 
 } // namespace forefront

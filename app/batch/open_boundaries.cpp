@@ -1,5 +1,6 @@
 #include "app/batch/open_boundaries.hpp"
 
+#include "app/batch/suggestion.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/common/tagged_sides.hpp"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 
 namespace forefront {
 
@@ -32,7 +34,9 @@ Diagnostics unknownNames(const std::vector<std::string> &open, const Parts &part
             known.push_back(name);
         }
     }
-    return error("unknown-boundary", "--open: unknown boundary part " + listed(unknown, kListed),
+    const std::vector<std::string_view> words(known.begin(), known.end());
+    return error("unknown-boundary",
+                 "--open: unknown boundary part " + listed(unknown, kListed) + suggestion(unknown.front(), words),
                  known.empty() ? "the boundary has no parts" : "expected one of " + listed(known, kListed));
 }
 

@@ -3,6 +3,7 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/standard_output.hpp"
+#include "app/batch/suggestion.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/files.hpp"
@@ -13,10 +14,23 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string_view>
+#include <vector>
 
 namespace forefront {
 
 namespace {
+
+/// Returns a suggestion for a mistyped id or extension of a format that can be written.
+std::string formatSuggestion(const std::string &word, const char *FileFormat::*kind) {
+    std::vector<std::string_view> words;
+    for (const FileFormat &format : allFormats().list()) {
+        if (format.writesMesh) {
+            words.emplace_back(format.*kind);
+        }
+    }
+    return suggestion(word, words);
+}
 
 /// Returns one word per format that can be written, without repetition.
 std::string listOf(const char *FileFormat::*word) {
@@ -49,11 +63,13 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
         const bool known = std::any_of(named.begin(), named.end(), [](const FileFormat *f) { return f->writesMesh; });
         return known ? ""
                      : "-o " + output.string() + ": unknown extension '" + output.extension().string() +
-                           "'; expected one of " + listOf(&FileFormat::extension);
+                           "'; expected one of " + listOf(&FileFormat::extension) +
+                           formatSuggestion(output.extension().string(), &FileFormat::extension);
     }
     const FileFormat *const chosen = allFormats().withId(id);
     if (chosen == nullptr || !chosen->writesMesh) {
-        return "--format: unknown format '" + id + "'; expected one of " + formatIds();
+        return "--format: unknown format '" + id + "'; expected one of " + formatIds() +
+               formatSuggestion(id, &FileFormat::id);
     }
     if (isStandardStream(output) && filesOfMesh("x", id).size() > 1) {
         return "-o -: format " + id + " needs several files; name a file, or choose another format";

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/hash.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/base/version.hpp"
 #include "core/files/json/json_writer.hpp"
 #include "core/files/rules/rules_json.hpp"
 
@@ -59,6 +60,7 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
     MeshReport report;
     report.quality = measureQuality(mesh, spacing);
     report.extent = extentOf(mesh, report.quality.edges);
+    report.bounds = mesh.bounds();
     if (valid) {
         report.sharp = sharpCorners(mesh, kSharpCorner);
     }
@@ -181,6 +183,8 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
     const MeshQuality &q = report.quality;
     const double unknown = std::numeric_limits<double>::quiet_NaN(); // null
     json.member("nodes", q.nodes).member("elements", q.elements).member("area", q.area);
+    json.key("bounds").values(
+        std::vector<double>{report.bounds.min.x, report.bounds.min.y, report.bounds.max.x, report.bounds.max.y});
     json.member("parts", report.extent.parts).member("holes", report.extent.holes);
     json.key("regions").beginArray();
     for (const RegionExtent &region : report.extent.regions) {
@@ -220,7 +224,7 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
 
 std::string statisticsJson(const MeshReport &report, bool valid, const std::vector<LimitVerdict> &verdicts) {
     JsonWriter json(JsonWriter::Layout::Indented);
-    json.beginObject().member("valid", valid);
+    json.beginObject().member("version", version()).member("valid", valid);
     json.key("limits").beginArray();
     for (const LimitVerdict &verdict : verdicts) {
         json.beginObject().member("limit", wordOf(verdict.limit)).member("bound", verdict.bound);
@@ -307,7 +311,7 @@ std::string statisticsJson(const RunReport &report) {
         return report.work.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(report.work.elements);
     };
     JsonWriter json(JsonWriter::Layout::Indented);
-    json.beginObject();
+    json.beginObject().member("version", version()).member("input", report.input);
     addFigures(report, json);
     json.member("front_mean", report.work.frontMean());
     if (report.elements == Elements::Triangles) { // the two-coloured front does not count the work of its searches

@@ -23,6 +23,7 @@ inline constexpr double kSharpCorner = 20.0;
 struct MeshReport {
     MeshQuality quality;
     MeshExtent extent;
+    Box2 bounds;
     SharpCorners sharp; ///< corners of the domain below kSharpCorner; empty for an invalid mesh
     std::uint64_t hash = 0;
     bool hasSpacing = false; ///< the conformity to a spacing was measured
@@ -30,6 +31,7 @@ struct MeshReport {
 
 /// Statistics of a finished run.
 struct RunReport : MeshReport {
+    std::string input; ///< name of the file
     WorkCounters work;
     ImproveLevel improve = ImproveLevel::None;
     Elements elements = Elements::Triangles;

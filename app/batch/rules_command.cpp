@@ -62,13 +62,13 @@ void printList() {
 
 } // namespace
 
-int rulesCommand(int argc, const char *const *argv) {
+int rulesCommand(const CommandLine &line) {
     std::optional<std::filesystem::path> file;
     CLI::App app("Lists the rules of the classic method that can be changed, or checks a file of rules.",
                  "forefront rules");
     app.footer(kRulesExamples);
     app.add_option("FILE", file, "file of rules; default: list the rules");
-    if (const auto code = parseOptions(app, argc, argv)) {
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     if (!file) {

@@ -267,13 +267,13 @@ int runScript(const RunScriptArguments &arguments) {
 
 } // namespace
 
-int runCommand(int argc, const char *const *argv) {
+int runCommand(const CommandLine &line) {
     RunScriptArguments arguments;
     CLI::App app("Carries out the commands of a script: draws, meshes, checks, exports.", "forefront run");
     app.footer(kRunHelp);
     app.add_option("SCRIPT", arguments.script, "script of JSON lines; -: standard input")->required();
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
-    if (const auto code = parseOptions(app, argc, argv)) {
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     return runScript(arguments);

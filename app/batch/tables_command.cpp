@@ -94,7 +94,7 @@ int runTables(const TablesArguments &arguments) {
 
 } // namespace
 
-int tablesCommand(int argc, const char *const *argv) {
+int tablesCommand(const CommandLine &line) {
     TablesArguments arguments;
     std::vector<std::string> rows;
     std::vector<std::string> grids{"none", "30x20", "60x40", "hierarchical"};
@@ -109,7 +109,7 @@ int tablesCommand(int argc, const char *const *argv) {
         ->type_name("GRIDS");
     app.add_option("--csv", arguments.csv, "write the figures as CSV")->type_name("FILE");
     app.add_option("--svg", arguments.svg, "write a plot of time against elements")->type_name("FILE");
-    if (const auto code = parseOptions(app, argc, argv)) {
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     const std::string wrong = parseLists(rows, grids, arguments);

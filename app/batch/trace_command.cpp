@@ -131,7 +131,7 @@ std::string wrongOptions(const TraceArguments &arguments) {
 
 } // namespace
 
-int traceCommand(int argc, const char *const *argv) {
+int traceCommand(const CommandLine &line) {
     TraceArguments arguments;
     CLI::App app("Writes every advance of a meshing run as JSON, or compares a run with the trace of another program.",
                  "forefront trace");
@@ -142,7 +142,8 @@ int traceCommand(int argc, const char *const *argv) {
         ->type_name("FILE");
     app.add_option("--steps", arguments.steps, "number of advances; default: to the end of the run")
         ->check(wholeNumberWithin(0, 1'000'000'000));
-    if (const auto code = parseOptions(app, argc, argv)) {
+    addConfigOption(app);
+    if (const auto code = parseOptions(app, line)) {
         return *code;
     }
     if (const std::string wrong = wrongOptions(arguments); !wrong.empty()) {

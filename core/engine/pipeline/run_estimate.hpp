@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/mesher/options.hpp"
+
+#include <cstdint>
+
+namespace FOREFRONT_API forefront {
+
+/// What a run will need, estimated without meshing.
+struct RunEstimate {
+    double elements = 0.0;
+    double nodes = 0.0;   ///< with those in the middles of edges
+    double bytes = 0.0;   ///< memory that the run adds
+    double seconds = 0.0; ///< CPU time of the run
+    /// CPU time of validation, spacing and discretisation, which the estimate has spent.
+    double secondsPrepare = 0.0;
+    std::uint64_t boundaryEdges = 0;
+};
+
+/// Estimates a run: prepares it, which integrates 4/(√3·ρ²) over the domain, and meshes a square of about 10,000
+/// elements with the same options for the time. The number of triangles is within 15 % in all samples, half of them
+/// within 2.5 %. The number of quadrilaterals is taken as the samples' median share of that; where sizes change fast
+/// it differs by up to a half. Elements added for a least angle are not counted. Errors: those of prepare() and
+/// meshDomain().
+Result<RunEstimate> estimateRun(const MeshingJob &job, const Progress &progress = {});
+
+} // namespace forefront
