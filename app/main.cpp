@@ -2,7 +2,7 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/suggestion.hpp"
-#include "app/editor_entry.hpp"
+#include "app/start_editor.hpp"
 #include "core/engine/base/free_memory.hpp"
 #include "core/engine/base/version.hpp"
 
@@ -65,7 +65,7 @@ int editorCommand(int argc, const char *const *argv, bool view) {
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }
-    return runEditor(arguments);
+    return startEditor(arguments);
 }
 #else
 int editorCommand(int /*argc*/, const char *const * /*argv*/, bool /*view*/) {
