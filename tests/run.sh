@@ -9,7 +9,8 @@
 #
 #   --quick      skip the sanitizers and clang-tidy; unit tests run in the optimised build
 #   --thorough   run unit tests in both builds, and the editor's tests with the sanitizers too; compile every source
-#                alone; mesh 2,000 random domains with second order. Takes much longer
+#                alone; mesh 2,000 random domains with second order; install the Debian packages into a bare
+#                root. Takes much longer
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
@@ -23,7 +24,7 @@ case ${1-} in
     export FOREFRONT_ORDER_DOMAINS=2000
     ;;
 -h | --help)
-    sed -n '2,12s/^# \{0,1\}//p' "$0"
+    sed -n '2,13s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 *)
@@ -112,6 +113,8 @@ if [ $quick = no ]; then
     step 'clang-tidy on changed files' sh tests/tidy.sh
     if [ $thorough = yes ]; then
         step 'all sources compiled alone' sh tests/alone.sh --all
+        step 'build Debian packages' sh app/package.sh
+        step 'packages in a bare Debian 12' sh tests/package/bare_root.sh
     else
         step 'changed sources compiled alone' sh tests/alone.sh
     fi
