@@ -13,8 +13,10 @@ int startEditor(const EditorArguments &arguments) {
     const fs::path folder = programFile().parent_path();
     const std::string name = "forefront-editor";
     std::error_code failed;
-    // In the build tree, and as FOREFRONT_EDITOR_FOLDER says relative to the installed program, which can be moved.
-    for (const fs::path &place : {folder / name, folder / FOREFRONT_EDITOR_FOLDER / name}) {
+    // In the build tree; relative to the installed program, which can be moved; where it was installed first, if the
+    // system does not tell where the program is.
+    for (const fs::path &place :
+         {folder / name, folder / FOREFRONT_EDITOR_FOLDER / name, fs::path(FOREFRONT_EDITOR_INSTALLED) / name}) {
         if (fs::is_regular_file(place, failed)) {
             const std::string reason = becomeProgram(place, editorWords(arguments));
             std::fprintf(stderr, "forefront: cannot start %s: %s\n", place.string().c_str(), reason.c_str());
