@@ -2,9 +2,13 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/suggestion.hpp"
-#include "app/start_editor.hpp"
 #include "core/engine/base/free_memory.hpp"
 #include "core/engine/base/version.hpp"
+#include "core/engine/platform/file_handle.hpp"
+
+#if defined(FOREFRONT_WITH_EDITOR)
+#include "app/start_editor.hpp"
+#endif
 
 #include <algorithm>
 #include <cstdio>
@@ -101,6 +105,7 @@ int unknownCommand(const std::string &word) {
 }
 
 int dispatch(int argc, const char *const *argv) {
+    useBinaryStandardStreams();
     const std::string_view command = argc > 1 ? argv[1] : "";
     if (command == "view") {
         return editorCommand(argc - 1, argv + 1, true);

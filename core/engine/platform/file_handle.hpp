@@ -7,8 +7,8 @@
 
 namespace forefront {
 
-// Files below the standard library: what it cannot do is to create a file only if it is new, to lock one, and to write it
-// to the disk. Functions that fail set errno.
+// Files below the standard library: what it cannot do is to create a file only if it is new, to lock one, and to write
+// it to the disk. Functions that fail set errno.
 
 /// An open file, as the C library of the system numbers it; negative: none.
 using FileHandle = int;
@@ -56,7 +56,8 @@ bool statusOf(const std::filesystem::path &path, FileStatus &status);
 
 /// Gives a new file the permissions of the one that it will replace, where the system has them in this form.
 void copyPermissions(FileHandle file, const FileStatus &from);
-/// Returns true if the user may write a file, and it is not marked as write-protected, which does not bind the superuser.
+/// Returns true if the user may write a file, and it is not marked as write-protected, which does not bind the
+/// superuser.
 bool isWritable(const std::filesystem::path &path, const FileStatus &status);
 
 /// The standard input and output of the program as files.

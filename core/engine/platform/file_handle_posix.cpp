@@ -13,13 +13,9 @@ namespace forefront {
 
 namespace {
 
-constexpr int kFlags[] = {O_RDONLY,
-                          O_RDONLY | O_NONBLOCK,
-                          O_RDONLY | O_NOFOLLOW | O_NONBLOCK,
-                          O_RDWR | O_NOFOLLOW | O_NONBLOCK,
-                          O_WRONLY,
-                          O_WRONLY | O_CREAT | O_EXCL,
-                          O_RDWR | O_CREAT | O_TRUNC};
+constexpr int kFlags[] = {
+    O_RDONLY, O_RDONLY | O_NONBLOCK,       O_RDONLY | O_NOFOLLOW | O_NONBLOCK, O_RDWR | O_NOFOLLOW | O_NONBLOCK,
+    O_WRONLY, O_WRONLY | O_CREAT | O_EXCL, O_RDWR | O_CREAT | O_TRUNC};
 static_assert(std::size(kFlags) == static_cast<std::size_t>(FileAccess::ReplaceOwned) + 1);
 
 FileStatus statusFrom(const struct stat &status, bool terminal) {

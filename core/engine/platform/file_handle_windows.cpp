@@ -2,9 +2,10 @@
 
 #include "core/engine/platform/file_handle.hpp"
 
+#include <climits>
+
 #include <algorithm>
 #include <cerrno>
-#include <climits>
 #include <fcntl.h>
 #include <io.h>
 #include <iterator>
@@ -15,13 +16,8 @@ namespace forefront {
 
 namespace {
 
-constexpr int kFlags[] = {_O_RDONLY,
-                          _O_RDONLY,
-                          _O_RDONLY,
-                          _O_RDWR,
-                          _O_WRONLY,
-                          _O_WRONLY | _O_CREAT | _O_EXCL,
-                          _O_RDWR | _O_CREAT | _O_TRUNC};
+constexpr int kFlags[] = {
+    _O_RDONLY, _O_RDONLY, _O_RDONLY, _O_RDWR, _O_WRONLY, _O_WRONLY | _O_CREAT | _O_EXCL, _O_RDWR | _O_CREAT | _O_TRUNC};
 static_assert(std::size(kFlags) == static_cast<std::size_t>(FileAccess::ReplaceOwned) + 1);
 
 unsigned atMostInt(std::size_t bytes) {

@@ -17,7 +17,8 @@ double cpuSecondsOf(std::jthread &thread) {
         return 0.0;
     }
     const auto seconds = [](const FILETIME &time) { // in steps of 100 ns
-        return 1e-7 * (4294967296.0 * static_cast<double>(time.dwHighDateTime) + static_cast<double>(time.dwLowDateTime));
+        return 1e-7 *
+               (4294967296.0 * static_cast<double>(time.dwHighDateTime) + static_cast<double>(time.dwLowDateTime));
     };
     return seconds(kernel) + seconds(user);
 #elif defined(__APPLE__)
