@@ -2,10 +2,11 @@
 # Installs the Debian 12 packages that Forefront needs and that are not installed yet. If none is missing, it takes less
 # than a second and needs no root.
 #
-#   sh app/install.sh [--headless] [--tests]
+#   sh app/install.sh [--headless] [--tests] [--packages]
 #
 #   --headless   only what the library and the batch program need, no graphics
 #   --tests      also what the tests need, including the programs that read exported files (tests/packages.txt)
+#   --packages   also what app/package.sh needs
 # shellcheck disable=SC2086  # lists of packages are split into words on purpose
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -16,14 +17,15 @@ editor='libimgui-dev python3-glad libglfw3-dev libglm-dev libstb-dev libfreetype
 tests='doctest-dev nlohmann-json3-dev libboost-dev libmuparser-dev python3 xvfb xauth xdotool xclip x11-utils imagemagick
     librsvg2-bin libhdf5-dev libgdal-dev ccache clang clang-format clang-tidy desktop-file-utils doxygen gcovr git pybind11-dev
     python3-dev python3-numpy python3-pytest python3-setuptools python3-wheel python3-build python3-pip'
+packages='dpkg-dev lintian mmdebstrap fakeroot file appstream desktop-file-utils librsvg2-bin pybind11-dev python3-dev python3-numpy'
 
 wanted="$core $editor"
 for option in "$@"; do
     case $option in
     --headless) wanted=$core ;;
-    --tests) ;;
+    --tests | --packages) ;;
     -h | --help)
-        sed -n '2,8s/^# \{0,1\}//p' "$0"
+        sed -n '2,9s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
     *)
@@ -33,6 +35,9 @@ for option in "$@"; do
     esac
 done
 for option in "$@"; do
+    if [ "$option" = --packages ]; then
+        wanted="$wanted $packages"
+    fi
     if [ "$option" = --tests ]; then
         wanted="$wanted $tests"
         if [ -f "$here/tests/packages.txt" ]; then

@@ -1,9 +1,13 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
-#include "app/editor_entry.hpp"
 #include "core/engine/base/free_memory.hpp"
 #include "core/engine/base/version.hpp"
+#include "core/engine/platform/file_handle.hpp"
+
+#if defined(FOREFRONT_WITH_EDITOR)
+#include "app/start_editor.hpp"
+#endif
 
 #include <cstdio>
 #include <exception>
@@ -34,7 +38,7 @@ int editorCommand(int argc, const char *const *argv, bool view) {
     if (const auto code = parseOptions(app, {argc, argv})) {
         return *code;
     }
-    return runEditor(arguments);
+    return startEditor(arguments);
 }
 #else
 int editorCommand(int /*argc*/, const char *const * /*argv*/, bool /*view*/) {
@@ -49,6 +53,7 @@ int unknownCommand(std::string_view word) {
 }
 
 int dispatch(int argc, const char *const *argv) {
+    useBinaryStandardStreams();
     const std::string_view command = argc > 1 ? argv[1] : "";
     if (command == "view") {
         return editorCommand(argc - 1, argv + 1, true);

@@ -10,7 +10,7 @@
 #   --quick      skip the sanitizers and clang-tidy; unit tests run in the optimised build
 #   --thorough   run unit tests in both builds, and the editor's tests with the sanitizers too; compile every source
 #                alone; mesh 2,000 random domains with second order; read exported files with OpenFOAM, FEniCSx and QGIS
-#                where they are installed. Takes much longer
+#                where they are installed; install the Debian packages into a bare root. Takes much longer
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
@@ -24,7 +24,7 @@ case ${1-} in
     export FOREFRONT_ORDER_DOMAINS=2000
     ;;
 -h | --help)
-    sed -n '2,13s/^# \{0,1\}//p' "$0"
+    sed -n '2,14s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 *)
@@ -127,6 +127,8 @@ if [ $quick = no ]; then
     step 'clang-tidy on changed files' sh tests/tidy.sh
     if [ $thorough = yes ]; then
         step 'all sources compiled alone' sh tests/alone.sh --all
+        step 'build Debian packages' sh app/package.sh
+        step 'packages in a bare Debian 12' sh tests/package/bare_root.sh
     else
         step 'changed sources compiled alone' sh tests/alone.sh
     fi

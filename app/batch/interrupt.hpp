@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/engine/base/diagnostic.hpp"
+#include "core/engine/platform/interrupts.hpp"
 
 #include <atomic>
-#include <csignal>
 #include <stop_token>
 #include <thread>
 
@@ -15,7 +15,7 @@ namespace forefront {
 class InterruptWatch {
   public:
     InterruptWatch();
-    ~InterruptWatch();
+    ~InterruptWatch() = default;
     InterruptWatch(const InterruptWatch &) = delete;
     InterruptWatch &operator=(const InterruptWatch &) = delete;
 
@@ -25,10 +25,10 @@ class InterruptWatch {
     bool interrupted() const { return cancel_.stop_requested(); }
 
   private:
-    sigset_t before_{};
+    InterruptEvents events_;
     std::stop_source cancel_;
     std::atomic<bool> defers_ = false;
-    std::jthread watcher_;
+    std::jthread watcher_; ///< last: it uses all of the above
 };
 
 /// Prints to stderr why the command failed ("cancelled" or the faults) and returns the exit code.

@@ -1,15 +1,16 @@
 #include "app/batch/progress_bar.hpp"
 
+#include "core/engine/platform/file_handle.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <unistd.h>
 #include <utility>
 
 namespace forefront {
 
-ProgressBar::ProgressBar(bool enabled) : active_(enabled && isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(bool enabled) : active_(enabled && errorsGoToTerminal()) {}
 
 Progress ProgressBar::progress(std::stop_token stop) {
     return {.report = [this](std::string_view stage, double fraction) { show(stage, fraction); },

@@ -3,22 +3,17 @@
 #include "core/engine/base/hash.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/base/version.hpp"
+#include "core/engine/platform/process.hpp"
 #include "core/files/json/json_writer.hpp"
 #include "core/files/rules/rules_json.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <limits>
-#include <sys/resource.h>
 
 namespace forefront {
 
 namespace {
-
-std::uint64_t peakBytes() {
-    rusage usage{};
-    return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024U : 0U;
-}
 
 std::string sharpCornerLines(const SharpCorners &sharp) {
     constexpr std::size_t kShown = 10;
@@ -70,7 +65,7 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
 }
 
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options) {
-    const std::uint64_t peak = peakBytes(); // before measuring, which needs more memory
+    const std::uint64_t peak = peakMemory(); // before measuring, which needs more memory
     RunReport report;
     static_cast<MeshReport &>(report) = reportOf(outcome.mesh, outcome.spacing.get(), true);
     report.peakBytes = peak;

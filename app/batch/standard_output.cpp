@@ -1,10 +1,11 @@
 #include "app/batch/standard_output.hpp"
 
+#include "core/engine/platform/file_handle.hpp"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <string>
-#include <unistd.h>
 
 namespace forefront {
 
@@ -14,7 +15,7 @@ StandardOutput::StandardOutput() {
 
 bool StandardOutput::write(std::string_view bytes) {
     while (failure_ == 0 && !bytes.empty()) {
-        const ssize_t done = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+        const std::ptrdiff_t done = writeSome(kStandardOutput, bytes);
         if (done >= 0) {
             bytes.remove_prefix(static_cast<std::size_t>(done));
         } else if (errno != EINTR) {

@@ -14,16 +14,16 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/ForefrontConfigVers
                                  COMPATIBILITY SameMinorVersion)
 
 # install_library(KIND NAME [EXCLUDE_FROM_ALL]): the library KIND that users link as Forefront::NAME, with its headers and
-# its pkg-config file, as the component KIND.
+# its pkg-config file, as the component KIND; what programs need at run time is the component KIND_runtime.
 function(install_library KIND NAME)
   get_target_property(PC_LIBRARY ${KIND} OUTPUT_NAME)
   get_target_property(type ${KIND} TYPE)
-  # Programs that link the static library also link what it uses; the shared one has loaded that by itself.
-  set(field Requires.private)
+  # Programs that link the static library also link what it uses; the shared one loads that by itself, and its users need
+  # no headers of it.
+  set(PC_REQUIRES_LINE "")
   if(type STREQUAL STATIC_LIBRARY)
-    set(field Requires)
+    set(PC_REQUIRES_LINE "Requires: ${PC_PACKAGES}")
   endif()
-  set(PC_REQUIRES_LINE "${field}: ${PC_PACKAGES}")
   if(NAME STREQUAL drawing)
     set(PC_REQUIRES_LINE "Requires: forefront = ${PROJECT_VERSION}")
   endif()
@@ -32,7 +32,7 @@ function(install_library KIND NAME)
   file(GENERATE OUTPUT ${generated}/${PC_LIBRARY}.pc INPUT ${generated}/${PC_LIBRARY}.pc.configured)
 
   install(TARGETS ${KIND} EXPORT ${KIND}
-          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${KIND} ${ARGN}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${KIND}_runtime NAMELINK_COMPONENT ${KIND} ${ARGN}
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${KIND} ${ARGN})
   install(EXPORT ${KIND} FILE ${KIND}.cmake NAMESPACE Forefront:: DESTINATION ${package_folder}
           COMPONENT ${KIND} ${ARGN})

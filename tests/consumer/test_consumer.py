@@ -49,7 +49,8 @@ def check(condition, message):
 def installed(kind, folder):
     """Installs one kind, then moves the tree: nothing in it may depend on where it was installed."""
     first, prefix = folder / f"first-{kind}", folder / f"prefix-{kind}"
-    run(CMAKE, "--install", BUILD, "--prefix", first, "--component", KINDS[kind], folder=folder)
+    for component in (KINDS[kind], KINDS[kind] + "_runtime"):
+        run(CMAKE, "--install", BUILD, "--prefix", first, "--component", component, folder=folder)
     first.rename(prefix)
     headers = {str(path.relative_to(prefix / "include")) for path in prefix.rglob("*.hpp")}
     check("forefront/forefront.hpp" in headers, f"forefront.hpp is missing among {sorted(headers)}")

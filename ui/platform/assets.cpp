@@ -1,5 +1,7 @@
 #include "ui/platform/assets.hpp"
 
+#include "core/engine/platform/program.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -14,7 +16,7 @@ fs::path assetFolder() {
         places.emplace_back(given);
     }
     std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    const fs::path program = programFile();
     for (fs::path folder = program.parent_path(); !folder.empty(); folder = folder.parent_path()) {
         places.push_back(folder / "assets");
         places.push_back(folder / "share/forefront/assets");

@@ -12,23 +12,18 @@
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/platform/process.hpp"
 
 #include <algorithm>
 #include <map>
 #include <pybind11/stl.h>
 #include <set>
 #include <string>
-#include <sys/resource.h>
 #include <utility>
 
 namespace forefront::python {
 
 namespace {
-
-std::uint64_t residentPeak() {
-    rusage usage{};
-    return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024U : 0U;
-}
 
 PythonMesh meshDomainOf(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces,
                         const MeshingOptions &options, const py::object &callback) {
@@ -36,7 +31,7 @@ PythonMesh meshDomainOf(const PythonDomain &domain, const SpacingSpec &sizes, bo
     const Progress progress = progressOf(callback);
     MeshingOutcome outcome = valueOrRaise(withoutGil([&] { return meshDomain(job, progress); }));
     MadeBy made{outcome.work,    outcome.quads,          options.leastAngle,  outcome.leastAngle,     options.elements,
-                options.improve, outcome.secondsPrepare, outcome.secondsMesh, outcome.secondsImprove, residentPeak()};
+                options.improve, outcome.secondsPrepare, outcome.secondsMesh, outcome.secondsImprove, peakMemory()};
     Diagnostics notes = outcome.spacing->notes();
     const Diagnostics large = largeElements(outcome.mesh, job.domain, job.spacing.placed.regions);
     notes.insert(notes.end(), large.begin(), large.end());

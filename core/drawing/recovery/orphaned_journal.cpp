@@ -1,22 +1,21 @@
 #include "core/drawing/recovery/journal_record.hpp"
 #include "core/drawing/recovery/recovery_journal.hpp"
+#include "core/engine/platform/file_handle.hpp"
 
 #include <algorithm>
 #include <cerrno>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace forefront {
 namespace {
 
-std::string readAll(int descriptor) {
+constexpr std::int64_t kNanoseconds = 1'000'000'000; // in a second
+
+std::string readAll(FileHandle file) {
     std::string bytes;
     char buffer[1 << 16];
     for (;;) {
-        const ssize_t count = ::read(descriptor, buffer, sizeof buffer);
+        const std::ptrdiff_t count = readSome(file, buffer, sizeof buffer);
         if (count > 0) {
             bytes.append(buffer, static_cast<std::size_t>(count));
         } else if (count == 0 || errno != EINTR) {
@@ -25,11 +24,11 @@ std::string readAll(int descriptor) {
     }
 }
 
-/// Returns true if the descriptor still belongs to the file of that name, which may have been replaced or removed.
-bool stillNamed(int descriptor, const std::filesystem::path &file, struct stat &status) {
-    struct stat named {};
-    return ::fstat(descriptor, &status) == 0 && ::stat(file.c_str(), &named) == 0 && S_ISREG(status.st_mode) &&
-           status.st_ino == named.st_ino && status.st_dev == named.st_dev;
+/// Returns true if the open file still has that name: it may have been replaced or removed.
+bool stillNamed(FileHandle open, const std::filesystem::path &file, FileStatus &status) {
+    FileStatus named;
+    return statusOf(open, status) && statusOf(file, named) && status.kind == FileStatus::Kind::Regular &&
+           status.sameFile(named);
 }
 
 } // namespace
@@ -42,7 +41,7 @@ OrphanedJournal::OrphanedJournal(std::filesystem::path file, int descriptor, Jou
 
 OrphanedJournal::~OrphanedJournal() {
     if (descriptor_ >= 0) {
-        ::close(descriptor_);
+        closeFile(descriptor_);
     }
 }
 
@@ -66,7 +65,7 @@ void OrphanedJournal::discard() {
     if (descriptor_ >= 0) {
         std::error_code ignored;
         std::filesystem::remove(file_, ignored);
-        ::close(std::exchange(descriptor_, -1));
+        closeFile(std::exchange(descriptor_, -1));
     }
 }
 
@@ -83,20 +82,21 @@ std::vector<OrphanedJournal> findOrphanedJournals(const std::filesystem::path &f
     }
     std::sort(files.begin(), files.end());
     for (const std::filesystem::path &file : files) {
-        const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+        const FileHandle descriptor = openFile(file, FileAccess::Change);
         if (descriptor < 0) {
             continue;
         }
-        struct stat status {};
-        const bool free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+        FileStatus status;
+        const bool free = lockFile(descriptor);
         held += free ? 0 : 1;
         if (!free || !stillNamed(descriptor, file, status)) {
-            ::close(descriptor);
+            closeFile(descriptor);
             continue;
         }
         JournalContent content = readJournal(readAll(descriptor));
         const bool recoverable = content.text.has_value();
-        OrphanedJournal orphan(file, descriptor, std::move(content), status.st_mtime);
+        OrphanedJournal orphan(file, descriptor, std::move(content),
+                               static_cast<std::time_t>(status.modified / kNanoseconds));
         if (recoverable) {
             orphans.push_back(std::move(orphan));
         } else {

@@ -1,14 +1,13 @@
 #include "core/drawing/recovery/recovery_journal.hpp"
 
 #include "core/drawing/recovery/journal_record.hpp"
+#include "core/engine/platform/file_handle.hpp"
+#include "core/engine/platform/process.hpp"
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <system_error>
 
 namespace forefront {
 namespace {
@@ -21,9 +20,9 @@ constexpr auto kLongestRest = 700ms;
 /// A journal is rewritten when it exceeds the text of its document by this factor.
 constexpr std::uint64_t kCompactFactor = 4, kCompactSlack = 1U << 20;
 
-bool writeAll(int descriptor, std::string_view bytes) {
+bool writeAll(FileHandle file, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        const std::ptrdiff_t written = writeSome(file, bytes);
         if (written < 0) {
             if (errno == EINTR) {
                 continue;
@@ -32,17 +31,26 @@ bool writeAll(int descriptor, std::string_view bytes) {
         }
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
-    return ::fdatasync(descriptor) == 0 || errno == EINVAL;
+    return syncFile(file);
 }
 
 /// Creates a locked file that findOrphanedJournals() does not see yet. Returns -1 and sets errno on failure.
-int createLocked(const std::filesystem::path &path) {
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-        ::close(descriptor);
+FileHandle createLocked(const std::filesystem::path &path) {
+    const FileHandle descriptor = openFile(path, FileAccess::ReplaceOwned);
+    if (descriptor >= 0 && !lockFile(descriptor)) {
+        closeFile(descriptor);
         return -1;
     }
     return descriptor;
+}
+
+/// Closes and removes what createLocked() returned.
+void abandon(const std::filesystem::path &path, FileHandle file) {
+    if (file >= 0) {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+        closeFile(file);
+    }
 }
 
 } // namespace
@@ -58,7 +66,7 @@ std::filesystem::path stateFolder() {
     }
     std::error_code failed;
     const std::filesystem::path temporary = std::filesystem::temp_directory_path(failed);
-    return (failed ? std::filesystem::path("/tmp") : temporary) / ("forefront-" + std::to_string(::getuid()));
+    return (failed ? std::filesystem::path("/tmp") : temporary) / ("forefront-" + std::to_string(userNumber()));
 }
 
 RecoveryJournal::RecoveryJournal(std::filesystem::path folder, Serialise serialise)
@@ -71,7 +79,7 @@ RecoveryJournal::~RecoveryJournal() {
     if (descriptor_ >= 0) {
         std::error_code ignored;
         std::filesystem::remove(file_, ignored);
-        ::close(descriptor_);
+        closeFile(descriptor_);
     }
 }
 
@@ -158,28 +166,24 @@ void RecoveryJournal::write(const Entry &entry) {
 bool RecoveryJournal::create() {
     std::error_code failed;
     std::filesystem::create_directories(folder_, failed);
-    const std::string stem = std::to_string(::getpid());
+    const std::string stem = std::to_string(processNumber());
     const std::filesystem::path temporary = folder_ / (stem + ".new");
-    const int descriptor = createLocked(temporary);
+    const FileHandle descriptor = createLocked(temporary);
     if (descriptor < 0) {
         fail(std::strerror(errno));
         return false;
     }
     // Lock before naming the file, so that another program sees only locked journals and orphans.
     std::filesystem::path file;
-    int linked = -1;
-    for (int k = 0; k < 10000 && linked != 0; ++k) {
+    std::error_code linked = std::make_error_code(std::errc::file_exists);
+    for (int k = 0; k < 10000 && linked == std::errc::file_exists; ++k) {
         file = folder_ / (stem + '-' + std::to_string(k) + ".journal");
-        linked = ::link(temporary.c_str(), file.c_str());
-        if (linked != 0 && errno != EEXIST) {
-            break;
-        }
+        std::filesystem::create_hard_link(temporary, file, linked);
     }
-    const int reason = errno;
-    ::unlink(temporary.c_str());
-    if (linked != 0) {
-        fail(std::strerror(reason));
-        ::close(descriptor);
+    std::filesystem::remove(temporary, failed);
+    if (linked) {
+        fail(linked.message());
+        closeFile(descriptor);
         return false;
     }
     descriptor_ = descriptor;
@@ -194,8 +198,7 @@ bool RecoveryJournal::append(const std::string &bytes) {
     if (!writeAll(descriptor_, whole)) {
         fail(std::strerror(errno));
         // A partial record would hide all that follow, so return to the end of the last complete one.
-        if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0 ||
-            ::lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET) < 0) {
+        if (!cutFile(descriptor_, size_)) {
             fail(std::strerror(errno));
         }
         return false;
@@ -209,16 +212,20 @@ bool RecoveryJournal::compact(const Entry &entry) {
     temporary.replace_extension(".new");
     const std::string bytes =
         std::string(kJournalMagic) + placeRecords(entry.place) + encodeRecord(JournalRecord::FullText, text_);
-    const int descriptor = createLocked(temporary);
-    if (descriptor < 0 || !writeAll(descriptor, bytes) || ::rename(temporary.c_str(), file_.c_str()) != 0) {
+    const FileHandle descriptor = createLocked(temporary);
+    if (descriptor < 0 || !writeAll(descriptor, bytes)) {
         fail(std::strerror(errno));
-        if (descriptor >= 0) {
-            ::unlink(temporary.c_str());
-            ::close(descriptor);
-        }
+        abandon(temporary, descriptor);
         return false;
     }
-    ::close(std::exchange(descriptor_, descriptor));
+    std::error_code failed;
+    std::filesystem::rename(temporary, file_, failed);
+    if (failed) {
+        fail(failed.message());
+        abandon(temporary, descriptor);
+        return false;
+    }
+    closeFile(std::exchange(descriptor_, descriptor));
     size_ = bytes.size();
     return true;
 }

@@ -1,7 +1,7 @@
 #include "core/engine/base/thread_pool.hpp"
 
-#include <ctime>
-#include <pthread.h>
+#include "core/engine/platform/thread_clock.hpp"
+
 #include <system_error>
 #include <utility>
 
@@ -43,11 +43,7 @@ void ThreadPool::run(std::size_t tasks, const Task &work, const std::stop_token 
 double ThreadPool::workerSeconds() {
     double seconds = 0.0;
     for (std::jthread &worker : workers_) {
-        clockid_t clock{};
-        timespec time{};
-        if (pthread_getcpuclockid(worker.native_handle(), &clock) == 0 && clock_gettime(clock, &time) == 0) {
-            seconds += static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-        }
+        seconds += cpuSecondsOf(worker);
     }
     return seconds;
 }

@@ -1,34 +1,34 @@
 #include "core/files/source/file_stamp.hpp"
 
 #include "core/engine/base/hash.hpp"
+#include "core/engine/platform/file_handle.hpp"
 #include "core/files/source/source.hpp"
 
 #include <cerrno>
-#include <ctime>
+#include <chrono>
 #include <limits>
 #include <string>
-#include <sys/stat.h>
 
 namespace forefront {
 
 namespace {
 
-std::int64_t nanoseconds(const struct timespec &time) {
-    constexpr std::int64_t kPerSecond = 1'000'000'000;
-    return static_cast<std::int64_t>(time.tv_sec) * kPerSecond + time.tv_nsec;
+/// Returns the nanoseconds since 1970.
+std::int64_t now() {
+    const auto elapsed = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(elapsed).count();
 }
 
 /// Returns the signs in the status of a file, as of now.
-FileStamp signsOf(const struct stat &status) {
+FileStamp signsOf(const FileStatus &status) {
     FileStamp stamp;
     stamp.kind = FileStamp::Kind::File;
-    stamp.size = static_cast<std::uint64_t>(status.st_size);
-    stamp.device = static_cast<std::uint64_t>(status.st_dev);
-    stamp.inode = static_cast<std::uint64_t>(status.st_ino);
-    stamp.modified = nanoseconds(status.st_mtim);
-    struct timespec now {};
+    stamp.size = status.size;
+    stamp.device = status.device;
+    stamp.inode = status.id;
+    stamp.modified = status.modified;
     constexpr std::int64_t kCoarsestStep = 3'000'000'000; // FAT keeps times in steps of two seconds
-    stamp.settled = ::clock_gettime(CLOCK_REALTIME, &now) == 0 && stamp.modified + kCoarsestStep < nanoseconds(now);
+    stamp.settled = stamp.modified + kCoarsestStep < now();
     return stamp;
 }
 
@@ -39,13 +39,13 @@ bool sameSigns(const FileStamp &a, const FileStamp &b) {
 } // namespace
 
 FileStamp stampOf(const std::filesystem::path &file, const FileStamp &before) {
-    struct stat status {};
-    if (::stat(file.c_str(), &status) != 0) {
+    FileStatus status;
+    if (!statusOf(file, status)) {
         FileStamp missing;
         missing.kind = errno == ENOENT || errno == ENOTDIR ? FileStamp::Kind::Missing : FileStamp::Kind::Unknown;
         return missing;
     }
-    if (!S_ISREG(status.st_mode)) {
+    if (status.kind != FileStatus::Kind::Regular) {
         return {};
     }
     FileStamp stamp = signsOf(status); // before the content, so that a change while it is read is found the next time

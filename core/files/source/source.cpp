@@ -1,13 +1,11 @@
 #include "core/files/source/source.hpp"
 
 #include "core/engine/base/cancelled.hpp"
+#include "core/engine/platform/file_handle.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace forefront {
 
@@ -48,51 +46,51 @@ Diagnostics readFault(const std::string &name, const std::string &why) {
 
 class OpenFile {
   public:
-    explicit OpenFile(const std::filesystem::path &path, int flags = 0)
-        : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags)) {}
+    explicit OpenFile(const std::filesystem::path &path, FileAccess access = FileAccess::Read)
+        : handle_(openFile(path, access)) {}
     ~OpenFile() {
-        if (descriptor_ >= 0) {
-            ::close(descriptor_);
+        if (handle_ >= 0) {
+            closeFile(handle_);
         }
     }
     OpenFile(const OpenFile &) = delete;
     OpenFile &operator=(const OpenFile &) = delete;
-    int descriptor() const { return descriptor_; }
+    FileHandle handle() const { return handle_; }
 
   private:
-    int descriptor_;
+    FileHandle handle_;
 };
 
 /// Reads an open file up to its end; `name` appears in faults.
-Result<std::string> readDescriptor(int descriptor, const std::string &name, std::size_t maxBytes,
-                                   const Progress &progress) {
-    struct stat status {};
-    if (descriptor < 0 || ::fstat(descriptor, &status) != 0) {
+Result<std::string> readHandle(FileHandle file, const std::string &name, std::size_t maxBytes,
+                               const Progress &progress) {
+    FileStatus status;
+    if (file < 0 || !statusOf(file, status)) {
         return readFault(name, std::strerror(errno));
     }
-    if (S_ISDIR(status.st_mode)) {
+    if (status.kind == FileStatus::Kind::Folder) {
         return readFault(name, "it is a folder");
     }
     // A device such as /dev/zero may have no end; a terminal has one, and /dev/null is empty.
-    const bool device = S_ISBLK(status.st_mode) || (S_ISCHR(status.st_mode) && ::isatty(descriptor) == 0);
+    const bool device = status.kind == FileStatus::Kind::Device;
     const auto tooLarge = [&] {
         Diagnostics faults = error("too-large", "the file is larger than " + std::to_string(maxBytes) + " bytes");
         faults.front().file = name;
         return faults;
     };
-    const auto promised = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
-    if (promised > maxBytes) {
+    if (status.size > maxBytes) {
         return tooLarge();
     }
     constexpr std::size_t kChunk = std::size_t{1} << 20, kStopInterval = 16 * kChunk;
     std::string bytes;
     std::size_t size = 0;
-    bytes.resize(S_ISREG(status.st_mode) ? promised + 1 : kChunk);
+    const bool regular = status.kind == FileStatus::Kind::Regular;
+    bytes.resize(regular ? static_cast<std::size_t>(status.size) + 1 : kChunk);
     while (true) {
         if (progress.cancelled()) {
             return cancelled("reading");
         }
-        const ssize_t got = ::read(descriptor, bytes.data() + size, std::min(bytes.size() - size, kStopInterval));
+        const std::ptrdiff_t got = readSome(file, bytes.data() + size, std::min(bytes.size() - size, kStopInterval));
         if (got < 0) {
             if (errno == EINTR) {
                 continue;
@@ -128,7 +126,7 @@ Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t
         return cancelled("reading"); // opening a pipe waits for its other end
     }
     const OpenFile file(path);
-    return readDescriptor(file.descriptor(), path.string(), maxBytes, progress);
+    return readHandle(file.handle(), path.string(), maxBytes, progress);
 }
 
 Status notRegular(const std::filesystem::path &path) {
@@ -148,12 +146,12 @@ Result<std::string> readRegularFile(const std::filesystem::path &path, std::size
     if (Status fault = notRegular(path); !fault.empty()) {
         return fault;
     }
-    const OpenFile file(path, O_NONBLOCK); // does not wait if it has become a pipe meanwhile
-    return readDescriptor(file.descriptor(), path.string(), maxBytes, progress);
+    const OpenFile file(path, FileAccess::ReadNow); // does not wait if it has become a pipe meanwhile
+    return readHandle(file.handle(), path.string(), maxBytes, progress);
 }
 
 Result<std::string> readStandardInput(std::size_t maxBytes) {
-    return readDescriptor(STDIN_FILENO, "standard input", maxBytes, {});
+    return readHandle(kStandardInput, "standard input", maxBytes, {});
 }
 
 } // namespace forefront

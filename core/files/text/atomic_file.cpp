@@ -1,14 +1,13 @@
 #include "core/files/text/atomic_file.hpp"
 
 #include "core/engine/base/cancelled.hpp"
+#include "core/engine/platform/file_handle.hpp"
 #include "core/files/text/temporary_names.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <system_error>
 
 namespace forefront {
 
@@ -34,19 +33,28 @@ bool isPlainOrMissing(std::filesystem::file_type kind) {
            kind == std::filesystem::file_type::none;
 }
 
+void removeQuietly(const std::filesystem::path &file) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+}
+
+/// Renames a file and replaces one of the new name. Returns 0 or the number of the error.
+int moveOver(const std::filesystem::path &from, const std::filesystem::path &to) {
+    std::error_code failed;
+    std::filesystem::rename(from, to, failed);
+    return failed ? failed.default_error_condition().value() : 0;
+}
+
 } // namespace
 
 Status checkReplaceable(const std::filesystem::path &path) {
-    constexpr mode_t kWriteBits = 0222; // which do not bind the superuser, who may not have meant it either
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
+    FileStatus status;
+    if (!statusOf(path, status) || status.kind != FileStatus::Kind::Regular) {
         return {};
     }
-    const bool allowed =
-        (status.st_mode & kWriteBits) != 0 && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
-    return allowed ? Status()
-                   : error("cannot-write", "cannot write the file: it is write-protected",
-                           "allow writing with chmod u+w, or choose another name");
+    return isWritable(path, status) ? Status()
+                                    : error("cannot-write", "cannot write the file: it is write-protected",
+                                            "allow writing with chmod u+w, or choose another name");
 }
 
 AtomicFile::AtomicFile(const std::filesystem::path &path, const Progress &progress, std::size_t expectedBytes)
@@ -75,15 +83,14 @@ AtomicFile::AtomicFile(const std::filesystem::path &path, const Progress &progre
         fail("create a file in the folder of", number);
         return;
     }
-    struct stat replaced {};
-    if (::stat(target_.c_str(), &replaced) == 0) {
-        static_cast<void>(::fchmod(descriptor_, replaced.st_mode & 07777U));
+    if (FileStatus replaced; statusOf(target_, replaced)) {
+        copyPermissions(descriptor_, replaced);
     }
 }
 
 /// Opens a device or pipe, which cannot be replaced.
 void AtomicFile::openDirectly() {
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = openFile(path_, FileAccess::Write);
     if (descriptor_ < 0) {
         fail("open", errno);
     }
@@ -91,13 +98,13 @@ void AtomicFile::openDirectly() {
 
 AtomicFile::~AtomicFile() {
     if (descriptor_ >= 0) {
-        ::close(descriptor_);
+        closeFile(descriptor_);
     }
     if (!temporary_.empty()) {
-        ::unlink(temporary_.c_str());
+        removeQuietly(temporary_);
     }
     if (!previous_.empty()) {
-        ::unlink(previous_.c_str());
+        removeQuietly(previous_);
     }
 }
 
@@ -109,7 +116,7 @@ bool AtomicFile::write(std::string_view bytes) {
             break;
         }
         constexpr std::size_t kLargest = std::size_t{8} << 20;
-        const ssize_t done = ::write(descriptor_, bytes.data(), std::min(bytes.size(), kLargest));
+        const std::ptrdiff_t done = writeSome(descriptor_, bytes.substr(0, kLargest));
         if (done < 0) {
             if (errno != EINTR) {
                 fail("write", errno);
@@ -127,8 +134,8 @@ bool AtomicFile::write(std::string_view bytes) {
 
 Status AtomicFile::commit() {
     if (finish().empty() && !temporary_.empty()) {
-        if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
-            fail("rename the finished file to", errno);
+        if (const int number = moveOver(temporary_, target_); number != 0) {
+            fail("rename the finished file to", number);
         } else {
             temporary_.clear();
             syncFolder(folderOf(target_));
@@ -138,10 +145,10 @@ Status AtomicFile::commit() {
 }
 
 Status AtomicFile::finish() {
-    if (status_.empty() && !temporary_.empty() && ::fsync(descriptor_) != 0 && errno != EINVAL) {
+    if (status_.empty() && !temporary_.empty() && !syncFile(descriptor_)) {
         fail("flush", errno);
     }
-    if (descriptor_ >= 0 && ::close(descriptor_) != 0 && status_.empty()) {
+    if (descriptor_ >= 0 && !closeFile(descriptor_) && status_.empty()) {
         fail("close", errno);
     }
     descriptor_ = -1;
@@ -156,11 +163,13 @@ Status AtomicFile::publish() {
         return status_;
     }
     previous_ = temporary_ + ".old.tmp";
-    if (::link(target_.c_str(), previous_.c_str()) != 0) {
+    std::error_code failed;
+    std::filesystem::create_hard_link(target_, previous_, failed);
+    if (failed) {
         previous_.clear(); // nothing is replaced, or the file system knows no second names
     }
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
-        fail("rename the finished file to", errno);
+    if (const int number = moveOver(temporary_, target_); number != 0) {
+        fail("rename the finished file to", number);
         return status_;
     }
     temporary_.clear();
@@ -173,8 +182,8 @@ void AtomicFile::withdraw() {
         return;
     }
     if (previous_.empty()) {
-        ::unlink(target_.c_str());
-    } else if (::rename(previous_.c_str(), target_.c_str()) == 0) {
+        removeQuietly(target_);
+    } else if (moveOver(previous_, target_) == 0) {
         previous_.clear();
     }
     published_ = false;
@@ -182,7 +191,7 @@ void AtomicFile::withdraw() {
 
 void AtomicFile::release() {
     if (!previous_.empty()) {
-        ::unlink(previous_.c_str());
+        removeQuietly(previous_);
         previous_.clear();
     }
 }

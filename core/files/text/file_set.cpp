@@ -1,5 +1,6 @@
 #include "core/files/text/file_set.hpp"
 
+#include "core/engine/platform/file_handle.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "core/files/text/temporary_names.hpp"
 

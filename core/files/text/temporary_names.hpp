@@ -11,8 +11,6 @@ int createTemporary(const std::filesystem::path &target, std::string &name);
 
 /// Returns the folder of a file.
 std::filesystem::path folderOf(const std::filesystem::path &file);
-/// Makes new names in a folder durable; failure is ignored, since some file systems cannot do that.
-void syncFolder(const std::filesystem::path &folder);
 
 /// Removes the temporary files of one target that killed programs have left behind: those whose process no longer
 /// exists, and which nobody has locked, such as a process on another machine that shares the folder.

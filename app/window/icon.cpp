@@ -1,4 +1,4 @@
-#include "app/icon.hpp"
+#include "app/window/icon.hpp"
 
 #include "core/engine/base/vec2.hpp"
 

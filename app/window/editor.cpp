@@ -1,7 +1,7 @@
 #include "ui/editor/editor.hpp"
 
-#include "app/editor_entry.hpp"
-#include "app/icon.hpp"
+#include "app/window/editor_entry.hpp"
+#include "app/window/icon.hpp"
 #include "core/drawing/recovery/recovery_journal.hpp"
 #include "ui/platform/glfw_platform.hpp"
 
