@@ -61,7 +61,8 @@ Diagnostics applyPeriodic(const std::vector<std::string> &texts, MeshingJob &job
     for (const std::string &text : texts) {
         // Names may hold colons: the first place where both sides are known counts.
         std::optional<PeriodicSpec> spec;
-        for (std::size_t colon = text.find(':'); colon != std::string::npos && !spec; colon = text.find(':', colon + 1)) {
+        for (std::size_t colon = text.find(':'); colon != std::string::npos && !spec;
+             colon = text.find(':', colon + 1)) {
             const auto from = parts.find(text.substr(0, colon)), to = parts.find(text.substr(colon + 1));
             if (from && to) {
                 spec = PeriodicSpec{*from, *to};

@@ -24,44 +24,50 @@ Vec2 centreOf(const RigidMap &map) {
 
 } // namespace
 
-std::vector<PeriodicPairs> allPeriodicPairs(const MeshView &mesh) {
-    std::vector<PeriodicPairs> links;
+std::vector<PlacedPairs> allPeriodicPairs(const MeshView &mesh) {
+    std::vector<PlacedPairs> links;
     for (const PeriodicLink &link : mesh.periodic) {
-        links.push_back(periodicPairs(mesh, link));
+        PlacedPairs &placed = links.emplace_back(PlacedPairs{periodicPairs(mesh, link), {}});
+        for (const NodePair &pair : placed.pairs) {
+            placed.places.push_back({mesh.nodes[index(pair.from)], mesh.nodes[index(pair.to)]});
+        }
     }
     return links;
 }
 
-void addPeriodic(const std::vector<PeriodicPairs> &links, const std::map<std::int32_t, std::string> &names,
+void addPeriodic(const std::vector<PlacedPairs> &links, const std::map<std::int32_t, std::string> &names,
                  JsonWriter &json) {
     json.key("periodic").beginArray();
-    for (const PeriodicPairs &each : links) {
+    for (const PlacedPairs &each : links) {
         const RigidMap &map = each.link.map;
         json.beginObject().member("from", boundaryName(names, each.link.from));
         json.member("to", boundaryName(names, each.link.to));
         json.member("cos", map.c).member("sin", map.s).member("shift_x", map.shift.x).member("shift_y", map.shift.y);
         json.member("exact", each.exact).member("deviation", each.deviation);
         json.key("pairs").beginArray();
-        for (const NodePair &pair : each.pairs) {
-            json.beginArray().value(index(pair.from) + 1).value(index(pair.to) + 1).endArray();
+        for (const auto &[first, second] : each.places) {
+            json.beginArray().value(first.x).value(first.y).value(second.x).value(second.y).endArray();
         }
         json.endArray().endObject();
     }
     json.endArray();
 }
 
-std::string periodicLines(const std::vector<PeriodicPairs> &links, const std::map<std::int32_t, std::string> &names) {
+std::string periodicLines(const std::vector<PlacedPairs> &links, const std::map<std::int32_t, std::string> &names) {
     constexpr int kDigits = 6;
     const auto place = [](Vec2 p) { return "(" + numberText(p.x, kDigits) + ", " + numberText(p.y, kDigits) + ")"; };
     std::string lines;
-    for (const PeriodicPairs &each : links) {
+    for (const PlacedPairs &each : links) {
         const RigidMap &map = each.link.map;
         lines += "periodic: " + boundaryName(names, each.link.to) + " is " + boundaryName(names, each.link.from) +
                  (map.translates() ? " moved by " + place(map.shift)
                                    : " turned by " + numberText(degreesOf(map), kDigits) + " degrees about " +
                                          place(centreOf(map))) +
-                 "; " + countText(each.pairs.size(), "pair") + " of nodes, " + std::to_string(each.exact) +
-                 " exact, the others within " + numberText(each.deviation, 2) + '\n';
+                 "; " + countText(each.pairs.size(), "pair") + " of nodes, " +
+                 (each.exact == each.pairs.size()
+                      ? std::string("all exact")
+                      : std::to_string(each.exact) + " exact, the others within " + numberText(each.deviation, 2)) +
+                 '\n';
     }
     return lines;
 }

@@ -3,21 +3,27 @@
 #include "core/engine/mesh/periodic_pairs.hpp"
 #include "core/files/json/json_writer.hpp"
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace forefront {
 
-/// Returns the pairs of all periodic links of a mesh.
-std::vector<PeriodicPairs> allPeriodicPairs(const MeshView &mesh);
+/// The pairs of one periodic link, with the places of their nodes: files of several formats number nodes differently.
+struct PlacedPairs : PeriodicPairs {
+    std::vector<std::array<Vec2, 2>> places; ///< per pair: of the first node and of the second
+};
 
-/// Adds the member "periodic" to statistics: per link its names, its motion, and the numbers of its paired nodes,
-/// counted from 1 as in files.
-void addPeriodic(const std::vector<PeriodicPairs> &links, const std::map<std::int32_t, std::string> &names,
+/// Returns the pairs of all periodic links of a mesh.
+std::vector<PlacedPairs> allPeriodicPairs(const MeshView &mesh);
+
+/// Adds the member "periodic" to statistics: per link its names, its motion, and the places of its paired nodes as
+/// [x, y, x, y].
+void addPeriodic(const std::vector<PlacedPairs> &links, const std::map<std::int32_t, std::string> &names,
                  JsonWriter &json);
 
 /// Returns a line per link: its names, its motion and the number of pairs.
-std::string periodicLines(const std::vector<PeriodicPairs> &links, const std::map<std::int32_t, std::string> &names);
+std::string periodicLines(const std::vector<PlacedPairs> &links, const std::map<std::int32_t, std::string> &names);
 
 } // namespace forefront

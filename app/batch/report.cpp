@@ -1,6 +1,5 @@
 #include "app/batch/report.hpp"
 
-#include "app/batch/periodic_report.hpp"
 #include "core/engine/base/hash.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/json/json_writer.hpp"

@@ -2,6 +2,7 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/domain/add_loop.hpp"
+#include "core/engine/mesh/numbering.hpp"
 #include "core/engine/mesh/periodic_pairs.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/abaqus/abaqus.hpp"
@@ -286,6 +287,9 @@ TEST_CASE("periodic parts: MSH files hold the pairs, Abaqus files tell them") {
     CHECK(abaqus.find("** periodic: right is the image of left, " + std::to_string(pairs) + " pairs") !=
           std::string::npos);
     CHECK(abaqus.find("** *EQUATION\n** 2\n** ") != std::string::npos);
+    const Mesh renumbered = forefront::renumbered(mesh, forefront::reverseCuthillMcKee(mesh));
+    CHECK(periodicPairs(renumbered, mesh.periodic[0]).exact == pairs);
+    CHECK(renumbered.periodic == mesh.periodic);
     for (const std::string *text : {&msh2, &msh4, &binary}) {
         CHECK(readMsh(sourceOf(*text)));
     }

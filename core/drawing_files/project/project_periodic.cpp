@@ -10,9 +10,8 @@ void writePeriodic(const Document &document, JsonText &out) {
         return;
     }
     out << ",\n  \"periodic\": [";
-    out.list(document.periodic, ", ", [&](const PeriodicSpec &spec) {
-        out << "{\"from\": " << spec.from << ", \"to\": " << spec.to << '}';
-    });
+    out.list(document.periodic, ", ",
+             [&](const PeriodicSpec &spec) { out << "{\"from\": " << spec.from << ", \"to\": " << spec.to << '}'; });
     out << ']';
 }
 
@@ -35,9 +34,8 @@ void readPeriodicPair(const JsonValue &item, Document &document, JsonCheck &chec
         return;
     }
     for (const std::int32_t tag : {spec.from, spec.to}) {
-        const bool used = std::any_of(document.periodic.begin(), document.periodic.end(), [&](const auto &other) {
-            return other.from == tag || other.to == tag;
-        });
+        const bool used = std::any_of(document.periodic.begin(), document.periodic.end(),
+                                      [&](const auto &other) { return other.from == tag || other.to == tag; });
         if (used || spec.from == spec.to) {
             check.fault(item, "bad-tag", "tag " + std::to_string(tag) + " is periodic twice; expected each tag once");
             return;

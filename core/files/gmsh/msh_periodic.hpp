@@ -7,8 +7,8 @@
 
 namespace forefront {
 
-/// Returns the 16 numbers of a motion as a matrix by rows, as MSH files have them: it takes the nodes of the first part,
-/// the master, to those of the second.
+/// Returns the 16 numbers of a motion as a matrix by rows, as MSH files have them: it takes the nodes of the first
+/// part, the master, to those of the second.
 std::array<double, 16> affineOf(const RigidMap &map);
 
 /// Writes the section $Periodic of MSH 4.1 as text or binary rows; nothing for a mesh without periodic parts.
