@@ -27,6 +27,7 @@
 /// | set the element size, also by a function | forefront::SpacingSpec, forefront::SizeGrid |
 /// | set it at nodes and in regions, or count elements | forefront::PlacedSizes |
 /// | add boundary layers | forefront::LayerSpec, forefront::LayerReport |
+/// | divide two boundary parts alike | forefront::PeriodicSpec, forefront::periodicPairs |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
 /// | step through a run, forward and back | forefront::MeshStepper; in the background: forefront::MeshingSession |
 /// | hold a mesh of any kinds of cells | forefront::Mesh, forefront::CellBlock, forefront::CellTraits |
@@ -59,6 +60,7 @@
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/mesh_access.hpp"
 #include "core/engine/mesh/numbering.hpp"
+#include "core/engine/mesh/periodic_pairs.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesh/verify.hpp"

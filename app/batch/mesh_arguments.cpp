@@ -7,6 +7,7 @@
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_table.hpp"
 #include "app/batch/outputs.hpp"
+#include "app/batch/periodic_option.hpp"
 #include "app/batch/rules_option.hpp"
 #include "app/batch/several_inputs.hpp"
 #include "app/batch/suggestion.hpp"
@@ -36,6 +37,8 @@ Examples:
         quadrilaterals alone
   forefront mesh wing.json -o wing.su2 --layers "wing:first=1e-4,growth=1.2,count=20"
         20 thin layers along the boundary part wing
+  forefront mesh cell.json -o cell.msh --periodic left:right --periodic bottom:top
+        nodes on the right side that are images of those on the left, and pairs of them in the file
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
   forefront mesh plate.json -o plate.foam
@@ -213,6 +216,7 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
         ->type_name("N");
     addCurveToleranceOption(app, arguments.curveTolerance);
     addLayersOption(app, layers);
+    addPeriodicOption(app, arguments.periodic);
     addFrontOptions(app, arguments, grid);
     addImportOptions(app, arguments);
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")

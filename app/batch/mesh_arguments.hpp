@@ -34,6 +34,7 @@ struct MeshArguments {
     std::optional<double> elementsAcross;
     std::optional<CurveToleranceArgument> curveTolerance;
     std::vector<LayersArgument> layers;
+    std::vector<std::string> periodic; ///< values of --periodic
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
     std::optional<Elements> elements;

@@ -9,6 +9,7 @@
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
+#include "app/batch/periodic_option.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
 #include "app/batch/rules_option.hpp"
@@ -315,6 +316,9 @@ int runMesh(const MeshArguments &arguments) {
     }
     if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, applyLayers(arguments.layers, *job), input.options);
+    }
+    if (faults.empty()) {
+        faults = allFormats().locateFaults(input.path, applyPeriodic(arguments.periodic, *job), input.options);
     }
     if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, checkOpenNames(arguments.form, job->domain), input.options);

@@ -81,6 +81,7 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     report.elementOrder = options.order;
     report.order = outcome.order;
     report.layers = outcome.layers;
+    report.periodic = allPeriodicPairs(outcome.mesh);
     report.boundaryNames = outcome.mesh.boundaryNames;
     report.secondsPrepare = outcome.secondsPrepare;
     report.secondsMesh = outcome.secondsMesh;
@@ -330,6 +331,9 @@ std::string statisticsJson(const RunReport &report) {
     if (report.layers.rays > 0) {
         addLayers(report, json);
     }
+    if (!report.periodic.empty()) {
+        addPeriodic(report.periodic, report.boundaryNames, json);
+    }
     if (report.rules != FrontRules()) {
         json.key("rules");
         writeRules(report.rules, json);
@@ -441,7 +445,7 @@ std::string summary(const RunReport &report) {
     const std::string rules = report.rules == FrontRules() ? "" : "changed rules: " + changesText(report.rules) + '\n';
     return leastAngleLines(report) + sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + rules + size +
            (report.elements == Elements::Triangles ? std::string() : quadLines(report)) + layersLine(report.layers) +
-           text;
+           periodicLines(report.periodic, report.boundaryNames) + text;
 }
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/periodic_report.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/mesh_extent.hpp"
@@ -40,9 +41,10 @@ struct RunReport : MeshReport {
     LeastAngleReport angles;          ///< how it was reached
     QuadReport quads;                 ///< unless the elements are triangles
     ElementOrder elementOrder = ElementOrder::First;
-    SecondOrderReport order; ///< of a mesh of second order
-    LayerReport layers;      ///< of a mesh with boundary layers
-    /// Names of the boundary parts that `layers` refers to.
+    SecondOrderReport order;           ///< of a mesh of second order
+    LayerReport layers;                ///< of a mesh with boundary layers
+    std::vector<PlacedPairs> periodic; ///< of a mesh with periodic parts
+    /// Names of the boundary parts that `layers` and `periodic` refer to.
     std::map<std::int32_t, std::string> boundaryNames;
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
     std::uint64_t peakBytes = 0; ///< maximum resident memory of the program so far

@@ -113,6 +113,13 @@ Document inserted(const Document &document, const Document &other, double scale,
                             std::none_of(document.layers.begin(), document.layers.end(),
                                          [&](const LayerSpec &own) { return own.tag == layer.tag; });
                  });
+    const auto isNew = [&](std::int32_t tag) {
+        return !std::binary_search(known.begin(), known.end(), tag) &&
+               std::none_of(document.periodic.begin(), document.periodic.end(),
+                            [&](const PeriodicSpec &own) { return own.from == tag || own.to == tag; });
+    };
+    std::copy_if(other.periodic.begin(), other.periodic.end(), std::back_inserter(next.periodic),
+                 [&](const PeriodicSpec &spec) { return isNew(spec.from) && isNew(spec.to); });
     next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
     next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());
     items.constraints = copyConstraints(next, other, items.shapes);

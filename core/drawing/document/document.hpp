@@ -7,6 +7,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/periodic.hpp"
 #include "core/engine/layers/layer_spec.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesher/options.hpp"
@@ -70,7 +71,8 @@ struct Document {
     SpacingSpec spacing;
     /// Numbers of elements of boundary parts, by tag, in place of sizes in `spacing`.
     std::map<std::int32_t, PartElements> elementCounts;
-    std::vector<LayerSpec> layers; ///< boundary layers, at most one specification for each tag
+    std::vector<LayerSpec> layers;      ///< boundary layers, at most one specification for each tag
+    std::vector<PeriodicSpec> periodic; ///< tags that are divided alike, each in one pair at most
     MeshingOptions options;
     MeshLimits limits; ///< that its meshes must meet
     /// Maximum distance between a curve and its chords in the domain, relative to the radius of a circle or the size of

@@ -217,12 +217,15 @@ MeshingJob jobOf(const Document &document) {
     job.spacing.placed.elements = made.elements();
     job.spacing.placed.biases = made.biases();
     job.spacing.placed.segments = made.sizes();
-    // A deleted part may have left its layers, as it may its size.
+    // A deleted part may have left its layers and its periodic partner, as it may its size.
+    const auto present = [&](std::int32_t tag) {
+        return std::any_of(job.domain.segments.begin(), job.domain.segments.end(),
+                           [&](const DomainSegment &segment) { return segment.tag == tag; });
+    };
     std::copy_if(document.layers.begin(), document.layers.end(), std::back_inserter(job.layers),
-                 [&](const LayerSpec &layer) {
-                     return std::any_of(job.domain.segments.begin(), job.domain.segments.end(),
-                                        [&](const DomainSegment &segment) { return segment.tag == layer.tag; });
-                 });
+                 [&](const LayerSpec &layer) { return present(layer.tag); });
+    std::copy_if(document.periodic.begin(), document.periodic.end(), std::back_inserter(job.periodic),
+                 [&](const PeriodicSpec &spec) { return present(spec.from) && present(spec.to); });
     return job;
 }
 

@@ -67,6 +67,9 @@ std::int32_t freeBoundaryTag(const Document &document) {
     for (const LayerSpec &layer : document.layers) {
         last = std::max(last, layer.tag);
     }
+    for (const PeriodicSpec &spec : document.periodic) {
+        last = std::max({last, spec.from, spec.to});
+    }
     return last < std::numeric_limits<std::int32_t>::max() ? last + 1 : last;
 }
 
@@ -107,6 +110,7 @@ Result<Document> renameBoundaryTag(const Document &document, std::int32_t tag, c
     merged.spacing.partSizes.erase(tag);
     merged.elementCounts.erase(tag);
     std::erase_if(merged.layers, [&](const LayerSpec &layer) { return layer.tag == tag; });
+    std::erase_if(merged.periodic, [&](const PeriodicSpec &spec) { return spec.from == tag || spec.to == tag; });
     return all.shapes.empty() && all.segments.empty() ? merged : nameBoundaryPart(merged, all, name);
 }
 

@@ -9,6 +9,7 @@
 #include "core/drawing_files/project/project_layers.hpp"
 #include "core/drawing_files/project/project_node_sizes.hpp"
 #include "core/drawing_files/project/project_parameters.hpp"
+#include "core/drawing_files/project/project_periodic.hpp"
 #include "core/drawing_files/project/project_picture.hpp"
 #include "core/drawing_files/project/project_spacing.hpp"
 #include "core/drawing_files/project/project_words.hpp"
@@ -74,14 +75,15 @@ class ProjectReader {
         readConstraints(root, renumbered_, document_, check_);
         readElementCounts(root, document_, check_);
         readLayers(root, document_, check_);
+        readPeriodic(root, document_, check_);
         readParameters(root, source_.options.parameters, document_, check_);
         if (!check_.faults().empty()) {
             return check_.faults();
         }
-        check_.noteUnknown(root,
-                           {"format", "version", "shapes", "regionMarkers", "boundaryNames", "regionNames", "spacing",
-                            "options", "limits", "nextId", "circleTolerance", "curveTolerance", "parameters",
-                            "formulas", "picture", "elementCounts", "constraints", "guides", "layers"});
+        check_.noteUnknown(root, {"format",          "version",        "shapes",     "regionMarkers", "boundaryNames",
+                                  "regionNames",     "spacing",        "options",    "limits",        "nextId",
+                                  "circleTolerance", "curveTolerance", "parameters", "formulas",      "picture",
+                                  "elementCounts",   "constraints",    "guides",     "layers",        "periodic"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }

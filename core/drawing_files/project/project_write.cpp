@@ -5,6 +5,7 @@
 #include "core/drawing_files/project/project_element_counts.hpp"
 #include "core/drawing_files/project/project_layers.hpp"
 #include "core/drawing_files/project/project_node_sizes.hpp"
+#include "core/drawing_files/project/project_periodic.hpp"
 #include "core/drawing_files/project/project_picture.hpp"
 #include "core/drawing_files/project/project_spacing.hpp"
 #include "core/drawing_files/project/project_words.hpp"
@@ -37,6 +38,7 @@ class ProjectWriter {
         writeSpacing(rulesOf(document), out_);
         writeElementCounts(document, out_);
         writeLayers(document, out_);
+        writePeriodic(document, out_);
         options(document.options);
         limits(document.limits);
         out_ << ",\n  \"circleTolerance\": ";

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -42,6 +43,8 @@ class CurveCuts {
     /// afterwards it holds the location of a fault, if any.
     SpacingIntegral::Outcome divide(std::uint32_t chain, const SpacingField &spacing, double longest, double limit,
                                     const Progress &progress, SpacingIntegral &integral);
+    /// Sets the parameters of all cuts of a chain.
+    void setCuts(std::uint32_t chain, std::vector<double> cuts) { cuts_[chain] = std::move(cuts); }
     /// Returns true if one piece between two parameters is close enough to the curve of a chain.
     bool allowsPiece(std::uint32_t chain, double from, double to) const;
     /// Removes the cuts within a distance of an end, as far as the piece there stays close to the curve; none of a

@@ -8,6 +8,7 @@
 #include "core/engine/boundary/curve_cuts.hpp"
 #include "core/engine/boundary/meeting_parts.hpp"
 #include "core/engine/boundary/narrow_tips.hpp"
+#include "core/engine/boundary/periodic_division.hpp"
 #include "core/engine/boundary/spacing_integral.hpp"
 #include "core/engine/domain/domain_graph.hpp"
 #include "core/engine/domain/element_places.hpp"
@@ -48,9 +49,14 @@ Diagnostics tooMany(double estimate, Vec2 at) {
 class Discretiser {
   public:
     Discretiser(const Domain &domain, const SpacingField &spacing, bool keepBoundary, NarrowTips narrowTips,
-                SegmentElements elements, const Progress &progress)
+                SegmentElements elements, const PeriodicSides *periodic, const Progress &progress)
         : domain_(domain), spacing_(spacing), progress_(progress), keepBoundary_(keepBoundary), narrowTips_(narrowTips),
-          elements_(elements), longest_(domain.bounds().diagonal() * kLongestStep) {}
+          elements_(elements), periodic_(domain, spacing, periodic),
+          longest_(domain.bounds().diagonal() * kLongestStep) {
+        if (periodic != nullptr) {
+            result_.periodic = periodic->links;
+        }
+    }
 
     /// `known`: the faces of the domain, or null to find them.
     Result<DiscreteDomain> run(const DomainFaces *known) {
@@ -99,6 +105,7 @@ class Discretiser {
             }
             const bool relaxed = relax(meetings.segments);
             if (!meetings.pieces.empty()) {
+                periodic_.addMirrored(*curves_, meetings.pieces);
                 curves_->refine(meetings.pieces);
             } else if (!relaxed) {
                 return notValid();
@@ -271,24 +278,44 @@ class Discretiser {
         return {};
     }
 
+    Status divideChain(std::uint32_t c) {
+        if (!curves_->cuts(c).empty()) {
+            return {};
+        }
+        const CurveChain &chain = curves_->chain(c);
+        const SpacingField &spacing = periodic_.spacing(chain.segments.front());
+        const double room = kMaxPieces - static_cast<double>(result_.segments.size());
+        const auto outcome = curves_->divide(c, spacing, longest_, room, progress_, integral_);
+        if (outcome != SpacingIntegral::Outcome::Done) {
+            return faultOf(outcome, curves_->curve(c).point(std::midpoint(chain.t0, chain.t1)));
+        }
+        joinPiecesInTips(c);
+        return {};
+    }
+
     Status cutChain(std::uint32_t c) {
         const CurveChain &chain = curves_->chain(c);
-        const Curve &curve = curves_->curve(c);
-        if (curves_->cuts(c).empty()) {
-            const double room = kMaxPieces - static_cast<double>(result_.segments.size());
-            const auto outcome = curves_->divide(c, spacing_, longest_, room, progress_, integral_);
-            if (outcome != SpacingIntegral::Outcome::Done) {
-                return faultOf(outcome, curve.point(std::midpoint(chain.t0, chain.t1)));
-            }
-            joinPiecesInTips(c);
+        const std::uint32_t lead = periodic_.leadingChain(*curves_, c);
+        if (lead == kNoIndex) {
+            return PeriodicDivision::crossedElsewhere(curves_->curve(c).point(std::midpoint(chain.t0, chain.t1)));
         }
+        if (Status faults = divideChain(lead); !faults.empty()) {
+            return faults;
+        }
+        const bool backwards = lead != c && periodic_.chainReversed(*curves_, c);
+        if (lead != c) {
+            curves_->setCuts(c, periodic_.mirroredCuts(*curves_, lead, c));
+        }
+        const Curve &curve = curves_->curve(lead);
+        const std::vector<double> &places = curves_->cuts(lead);
         const std::vector<double> &cuts = curves_->cuts(c);
         std::uint32_t from = number(chain.start);
         for (std::uint32_t i = 0; i + 1 < cuts.size(); ++i) {
             std::uint32_t to = number(chain.end);
             if (i + 2 < cuts.size()) {
                 to = static_cast<std::uint32_t>(result_.nodes.size());
-                result_.nodes.push_back(curve.point(cuts[i + 1]));
+                const double at = places[backwards ? places.size() - 2 - i : i + 1];
+                result_.nodes.push_back(periodic_.image(chain.segments.front(), curve.point(at)));
             }
             const std::uint32_t source = curves_->source({c, i});
             const bool forward = domain_.segments[source].stretch.t0 < domain_.segments[source].stretch.t1;
@@ -308,7 +335,12 @@ class Discretiser {
         }
     }
 
-    Status cutSegment(std::uint32_t s) {
+    Status cutSegment(std::uint32_t of) {
+        const std::uint32_t s = periodic_.leader(of);
+        if (curves_ && curves_->chainOf(s) != kNoIndex) {
+            return PeriodicDivision::crossedElsewhere(
+                midpoint(domain_.nodes[domain_.segments[s].a], domain_.nodes[domain_.segments[s].b]));
+        }
         const DomainSegment &segment = domain_.segments[s];
         fractions_.clear();
         // The same nodes for either direction: fractions count from the lower end by x, then y.
@@ -316,10 +348,12 @@ class Discretiser {
         const bool forward = comesBefore(a, b);
         const Vec2 low = forward ? a : b, high = forward ? b : a;
         if (most_[s] > 1) {
-            const double rhoLow = rho_[forward ? segment.a : segment.b],
-                         rhoHigh = rho_[forward ? segment.b : segment.a];
+            const SpacingField &spacing = periodic_.spacing(s);
+            const bool tied = periodic_.ties(s);
+            const double rhoLow = tied ? spacing.at(low) : rho_[forward ? segment.a : segment.b],
+                         rhoHigh = tied ? spacing.at(high) : rho_[forward ? segment.b : segment.a];
             const double room = kMaxPieces - static_cast<double>(result_.segments.size());
-            const auto outcome = integral_.integrate(spacing_, low, high, rhoLow, rhoHigh, longest_, room, progress_);
+            const auto outcome = integral_.integrate(spacing, low, high, rhoLow, rhoHigh, longest_, room, progress_);
             if (outcome != SpacingIntegral::Outcome::Done) {
                 return faultOf(outcome, midpoint(a, b));
             }
@@ -327,7 +361,8 @@ class Discretiser {
             if (asked > room) {
                 return faultOf(SpacingIntegral::Outcome::TooMany, midpoint(a, b));
             }
-            count_[s] = std::min(most_[s], asked > 0 ? asked : static_cast<std::uint32_t>(integral_.pieces()));
+            count_[s] = count_[of] =
+                std::min(most_[s], asked > 0 ? asked : static_cast<std::uint32_t>(integral_.pieces()));
             if (const ElementBias bias = elements_.bias(s); asked > 0 && bias.any()) {
                 const std::vector<double> places = elementPlaces(count_[s], forward ? bias : bias.reversed());
                 fractions_.assign(places.begin() + 1, places.end() - 1);
@@ -338,14 +373,16 @@ class Discretiser {
                 dropCutsInTips(s, forward);
             }
         }
-        std::uint32_t from = number(segment.a);
+        const bool ascending = forward != (of != s && periodic_.reversed(of));
+        std::uint32_t from = number(domain_.segments[of].a);
         for (std::size_t i = 0; i < fractions_.size(); ++i) {
             const auto to = static_cast<std::uint32_t>(result_.nodes.size());
-            result_.nodes.push_back(lerp(low, high, fractions_[forward ? i : fractions_.size() - 1 - i]));
-            addPiece(from, to, s);
+            const Vec2 place = lerp(low, high, fractions_[ascending ? i : fractions_.size() - 1 - i]);
+            result_.nodes.push_back(periodic_.image(of, place));
+            addPiece(from, to, of);
             from = to;
         }
-        addPiece(from, number(segment.b), s);
+        addPiece(from, number(domain_.segments[of].b), of);
         return {};
     }
 
@@ -390,6 +427,9 @@ class Discretiser {
         for (const std::uint32_t s : sources) {
             if (count_[s] > 1) {
                 most_[s] = count_[s] / 2;
+                if (periodic_.ties(s)) {
+                    most_[periodic_.mate(s)] = most_[s];
+                }
                 changed = true;
             }
         }
@@ -412,6 +452,7 @@ class Discretiser {
     bool keepBoundary_;
     NarrowTips narrowTips_;
     SegmentElements elements_;
+    PeriodicDivision periodic_;
     double longest_; // without evaluating the spacing
     DiscreteDomain result_;
     std::optional<CurveCuts> curves_;         // unless the boundary is kept
@@ -448,8 +489,8 @@ Box2 DiscreteDomain::bounds() const {
 
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
                                   const Progress &progress, const DomainFaces *faces, NarrowTips narrowTips,
-                                  SegmentElements elements) {
-    return Discretiser(domain, spacing, keepBoundary, narrowTips, elements, progress).run(faces);
+                                  SegmentElements elements, const PeriodicSides *periodic) {
+    return Discretiser(domain, spacing, keepBoundary, narrowTips, elements, periodic, progress).run(faces);
 }
 
 } // namespace forefront

@@ -4,6 +4,7 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/periodic.hpp"
 #include "core/engine/domain/segment_elements.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 
@@ -15,6 +16,7 @@
 namespace FOREFRONT_API forefront {
 
 struct DomainFaces;
+struct PeriodicSides;
 
 /// The region index that stands for the outside of the domain.
 inline constexpr std::uint32_t kOutside = 0xffffffffU;
@@ -49,6 +51,7 @@ struct DiscreteDomain {
     std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain besides segment ends
     std::size_t gradedNodes = 0;         ///< number of the last of `points` that have no tag, see addGradedNodes()
     std::vector<DiscreteRegion> regions; ///< every connected face inside the domain
+    std::vector<PeriodicLink> periodic;  ///< parts that are divided alike
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
     /// Result of estimateElements() for the spacing it was discretised with; 0: not computed yet.
@@ -82,9 +85,14 @@ enum class NarrowTips : std::uint8_t {
 ///
 /// `faces` are those that validate() found in this domain; without them, they are found again.
 ///
-/// Errors: cancelled, too-many-nodes, invalid-domain.
+/// `periodic`: parts that are divided alike, at the finer spacing of both; null: none. Each node put on a second part
+/// is, to the bit, the image of one on its first part. Nodes of the domain stay where they are.
+///
+/// Errors: cancelled, too-many-nodes, invalid-domain, periodic-sides (a curve and its image are crossed at different
+/// places).
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
                                   const Progress &progress = {}, const DomainFaces *faces = nullptr,
-                                  NarrowTips narrowTips = NarrowTips::Divided, SegmentElements elements = {});
+                                  NarrowTips narrowTips = NarrowTips::Divided, SegmentElements elements = {},
+                                  const PeriodicSides *periodic = nullptr);
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/engine/domain/periodic.hpp"
 #include "core/engine/mesh/cell.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 
@@ -62,6 +63,7 @@ struct Mesh {
     std::vector<Curve> curves;      ///< those that tagged edges are chords of
     /// As TriMesh::edgeStretches.
     std::vector<CurveStretch> edgeStretches;
+    std::vector<PeriodicLink> periodic; ///< see periodicPairs()
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
 

@@ -14,7 +14,7 @@ MeshView::MeshView(const TriMesh &mesh)
 
 MeshView::MeshView(const Mesh &mesh)
     : nodes(mesh.nodes), edges(mesh.edges), points(mesh.points), curves(mesh.curves), edgeStretches(mesh.edgeStretches),
-      boundaryNames(mesh.boundaryNames), regionNames(mesh.regionNames) {
+      periodic(mesh.periodic), boundaryNames(mesh.boundaryNames), regionNames(mesh.regionNames) {
     for (const CellBlock &block : mesh.blocks) {
         if (block.size() != 0) {
             add({block.kind(), count_, block.connectivity(), block.regions});
@@ -62,6 +62,7 @@ Mesh copyOf(const MeshView &view) {
     mesh.points.assign(view.points.begin(), view.points.end());
     mesh.curves.assign(view.curves.begin(), view.curves.end());
     mesh.edgeStretches.assign(view.edgeStretches.begin(), view.edgeStretches.end());
+    mesh.periodic.assign(view.periodic.begin(), view.periodic.end());
     mesh.boundaryNames = view.boundaryNames;
     mesh.regionNames = view.regionNames;
     return mesh;

@@ -40,6 +40,7 @@ class MeshView {
     std::span<const TaggedNode> points;
     std::span<const Curve> curves;
     std::span<const CurveStretch> edgeStretches;
+    std::span<const PeriodicLink> periodic; ///< a mesh of triangles has none
     /// Elevations of the nodes above the plane, for the formats that hold them; empty: none. Set by the caller of a
     /// writer.
     std::span<const double> elevations;

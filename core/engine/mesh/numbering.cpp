@@ -207,6 +207,7 @@ Mesh renumbered(const MeshView &mesh, std::span<const NodeId> numbers) {
     }
     result.curves.assign(mesh.curves.begin(), mesh.curves.end());
     result.edgeStretches.assign(mesh.edgeStretches.begin(), mesh.edgeStretches.end());
+    result.periodic.assign(mesh.periodic.begin(), mesh.periodic.end());
     result.boundaryNames = mesh.boundaryNames;
     result.regionNames = mesh.regionNames;
     return result;

@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/periodic.hpp"
 #include "core/engine/grid/grid_kind.hpp"
 #include "core/engine/improve/improve_level.hpp"
 #include "core/engine/layers/layer_spec.hpp"
@@ -90,6 +91,7 @@ struct MeshingJob {
     MeshingOptions options;
     std::shared_ptr<SharedSpacing> shared{}; ///< where others need the field of this job, too; null: nobody does
     std::vector<LayerSpec> layers{};         ///< boundary layers, at most one specification for each boundary tag
+    std::vector<PeriodicSpec> periodic{};    ///< parts that are divided alike; each part belongs to one pair at most
 
     /// Returns the number of threads that may work on this job: one if its size function must not be called from
     /// others.

@@ -2,8 +2,10 @@
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/boundary/estimate.hpp"
 #include "core/engine/boundary/graded_nodes.hpp"
+#include "core/engine/layers/layered_field.hpp"
 #include "core/engine/pipeline/build_spacing.hpp"
 #include "core/engine/pipeline/element_limit.hpp"
+#include "core/engine/pipeline/periodic_sites.hpp"
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/spacing/kept_field.hpp"
 #include "core/engine/spacing/scaled_field.hpp"
@@ -19,20 +21,49 @@ namespace {
 
 constexpr double kChordGrowth = 0.18; ///< of the size around short chords, as of the automatic spacing beside curves
 
+constexpr double kGrowthFromPeriodic = 0.2; ///< of the size, unless a smaller gradation is given
+
+/// Discretises the boundary. Where that divides a periodic part more finely than the spacing, for the sake of the other
+/// one, the spacing is lowered around it and the boundary discretised again. Changes `spacing`.
+Result<DiscreteDomain> divided(const MeshingJob &job, const DomainFaces &faces, const PeriodicSides &sides,
+                               NarrowTips tips, std::shared_ptr<const SpacingField> &spacing,
+                               const Progress &progress) {
+    const auto divide = [&] {
+        return discretise(job.domain, *spacing, job.options.keepBoundary, progress, &faces, tips,
+                          job.spacing.placed.counts(), sides.links.empty() ? nullptr : &sides);
+    };
+    Result<DiscreteDomain> boundary = divide();
+    if (!boundary || sides.links.empty() || job.options.keepBoundary) {
+        return boundary;
+    }
+    const double growth = std::min(job.spacing.gradation.value_or(kGrowthFromPeriodic), kGrowthFromPeriodic);
+    std::vector<SizeSite> sites = periodicSites(*boundary, sides, *spacing, growth);
+    if (sites.empty()) {
+        return boundary;
+    }
+    Result<std::shared_ptr<const SpacingField>> lowered =
+        layeredField(std::move(spacing), std::move(sites), boundary->bounds(), progress, "the other periodic part");
+    if (!lowered) {
+        return lowered.faults();
+    }
+    spacing = std::move(*lowered);
+    return divide();
+}
+
 /// Discretises the boundary with `spacing` and checks the number of elements.
-Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
+Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces, const PeriodicSides &sides,
                                 std::shared_ptr<const SpacingField> spacing, std::uint64_t limit,
                                 const Progress &progress) {
     progress("discretising the boundary", 0.0);
     // Sizes that were asked for are kept everywhere, sizes chosen automatically only where they help.
     const bool automatic = job.spacing.usesAutomatic() && !job.spacing.maximum;
+    const std::shared_ptr<const SpacingField> given = spacing;
     Result<DiscreteDomain> boundary =
-        discretise(job.domain, *spacing, job.options.keepBoundary, progress, &faces,
-                   automatic ? NarrowTips::Whole : NarrowTips::Divided, job.spacing.placed.counts());
+        divided(job, faces, sides, automatic ? NarrowTips::Whole : NarrowTips::Divided, spacing, progress);
     if (!boundary) {
         return boundary.faults();
     }
-    if (const auto *const kept = dynamic_cast<const KeptField *>(spacing.get())) {
+    if (const auto *const kept = dynamic_cast<const KeptField *>(given.get())) {
         addGradedNodes(*kept, faces, *boundary);
     }
     PreparedJob prepared;
@@ -86,10 +117,10 @@ std::vector<SizeSource> shortChords(const PreparedJob &prepared, const MeshingJo
 
 /// Discretises the boundary. Where curves cross, so that chords are taken as they are, the automatic spacing knows the
 /// lengths of whole curves only: short chords become sources, and the boundary is discretised again.
-Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFaces &faces,
+Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFaces &faces, const PeriodicSides &sides,
                                           std::shared_ptr<const SpacingField> spacing, std::uint64_t limit,
                                           const Progress &progress) {
-    Result<PreparedJob> prepared = discretised(job, faces, std::move(spacing), limit, progress);
+    Result<PreparedJob> prepared = discretised(job, faces, sides, std::move(spacing), limit, progress);
     constexpr int kMaxRounds = 4; // finer pieces may cross elsewhere
     MeshingJob again;
     for (int round = 0; round < kMaxRounds && prepared && job.spacing.usesAutomatic(); ++round) {
@@ -105,7 +136,7 @@ Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFac
         std::ranges::move(sources, std::back_inserter(again.spacing.sources));
         Result<std::shared_ptr<const SpacingField>> finer = buildSpacing(again, progress);
         Result<PreparedJob> next =
-            finer ? discretised(again, faces, std::move(*finer), limit, progress) : finer.faults();
+            finer ? discretised(again, faces, sides, std::move(*finer), limit, progress) : finer.faults();
         if (!next && !progress.cancelled()) {
             break; // the mesh would be too large
         }
@@ -120,12 +151,13 @@ Result<PreparedJob> discretisedWithin(MeshingState &state, const Progress &progr
     const MeshingJob &job = state.job;
     const std::uint64_t limit = std::isinf(state.budget) ? limitOf(job.options) : kMaxElements; // a preview is coarser
     Result<PreparedJob> prepared =
-        discretisedWithChords(job, state.faces, std::move(state.prepared.spacing), limit, progress);
+        discretisedWithChords(job, state.faces, state.periodic, std::move(state.prepared.spacing), limit, progress);
     if (!prepared || prepared->estimatedElements <= state.budget) {
         return prepared;
     }
     const double requested = prepared->estimatedElements, factor = std::sqrt(requested / state.budget);
-    Result<PreparedJob> coarse = discretised(job, state.faces, scaledField(prepared->spacing, factor), limit, progress);
+    Result<PreparedJob> coarse =
+        discretised(job, state.faces, state.periodic, scaledField(prepared->spacing, factor), limit, progress);
     if (coarse) {
         coarse->requestedElements = requested;
         coarse->coarsening = factor;

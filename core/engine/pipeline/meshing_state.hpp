@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/domain/periodic_sides.hpp"
 #include "core/engine/improve/improve.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/second_order.hpp"
@@ -19,11 +20,12 @@ struct MeshingState {
     /// The number of elements that the job is coarsened to; infinite: it is not.
     double budget = std::numeric_limits<double>::infinity();
 
-    DomainFaces faces{};    ///< of the domain, once it is validated
-    PreparedJob prepared{}; ///< the spacing, then the discretised boundary
-    TriMesh triangles{};    ///< of the front
-    QuadMesh quads{};       ///< of the two-coloured front
-    WorkCounters work{};    ///< of the front
+    DomainFaces faces{};      ///< of the domain, once it is validated
+    PeriodicSides periodic{}; ///< segments tied to others, once the domain is validated
+    PreparedJob prepared{};   ///< the spacing, then the discretised boundary
+    TriMesh triangles{};      ///< of the front
+    QuadMesh quads{};         ///< of the two-coloured front
+    WorkCounters work{};      ///< of the front
     ImproveReport improvement{};
     LeastAngleReport leastAngle{};
     QuadReport quadReport{};

@@ -2,10 +2,31 @@
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/quads/quad_mesh.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace forefront {
+
+namespace {
+
+/// Returns the numbers of elements along the segments of the domain that must stay, see EvenRules. Those along periodic
+/// parts do, since a node added to one of them would have no partner.
+std::vector<std::uint32_t> countsWithPeriodic(const MeshingJob &job, const DiscreteDomain &boundary) {
+    std::vector<std::uint32_t> counts(job.domain.segments.size(), 0);
+    const SegmentElements given = job.spacing.placed.counts();
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+        const std::int32_t tag = job.domain.segments[s].tag;
+        const bool periodic = std::any_of(boundary.periodic.begin(), boundary.periodic.end(),
+                                          [&](const auto &link) { return link.from == tag || link.to == tag; });
+        counts[s] = periodic ? std::max(given[s], 1U) : given[s];
+    }
+    return counts;
+}
+
+} // namespace
 
 Status quadFrontStage(MeshingState &state, const Progress &progress) {
     const MeshingOptions &options = state.job.options;
@@ -13,8 +34,9 @@ Status quadFrontStage(MeshingState &state, const Progress &progress) {
     progress("making the boundary even", 0.0);
     // The edges of layers must stay; the front has a triangle where that leaves an odd number.
     const bool divide = !options.keepBoundary && options.elements == Elements::Quads && !prepared.layers;
-    const ColouredBoundary boundary = colourBoundary(*prepared.frontBoundary(), *prepared.spacing,
-                                                     {&state.job.domain, state.job.spacing.placed.counts(), divide});
+    const std::vector<std::uint32_t> elements = countsWithPeriodic(state.job, *prepared.boundary);
+    const ColouredBoundary boundary =
+        colourBoundary(*prepared.frontBoundary(), *prepared.spacing, {&state.job.domain, elements, divide});
     if (!advanceColoured({boundary, *prepared.spacing, options, prepared.estimatedElements, elementsToStopAt(options)},
                          state.quads, progress)) {
         return progress.cancelled() ? cancelled("meshing") : stoppedFront(prepared, options);

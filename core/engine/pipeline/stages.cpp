@@ -54,6 +54,7 @@ std::span<const Stage> stagesAfterFront() {
                                            Stage{StageTime::Mesh, quadBlocksStage, makesQuads},
                                            Stage{StageTime::Mesh, joinStage},
                                            Stage{StageTime::Mesh, orderStage, raisesOrder},
+                                           Stage{StageTime::Mesh, periodicStage},
                                            Stage{StageTime::Improve, verifyStage, verifies}};
     return kStages;
 }

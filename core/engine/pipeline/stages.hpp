@@ -48,6 +48,8 @@ Status blocksStage(MeshingState &state, const Progress &progress);
 Status joinStage(MeshingState &state, const Progress &progress);
 /// Adds nodes in the middles of edges. Changes `mesh` to one of second order; sets `secondOrder`.
 Status orderStage(MeshingState &state, const Progress &progress);
+/// Gives `mesh` the periodic links of the boundary, and pairs their nodes. Faults: those of verifyPeriodic().
+Status periodicStage(MeshingState &state, const Progress &progress);
 /// Checks the mesh of blocks against the domain. Faults: those of verifyAgainst().
 Status verifyStage(MeshingState &state, const Progress &progress);
 

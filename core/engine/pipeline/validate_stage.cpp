@@ -3,6 +3,8 @@
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/refine/least_angle.hpp"
 
+#include <utility>
+
 namespace forefront {
 
 namespace {
@@ -28,6 +30,26 @@ Status validateLeastAngle(const MeshingJob &job) {
     return {};
 }
 
+/// Ties the segments of periodic parts. A least angle and boundary layers add nodes to the boundary afterwards, on one
+/// side alone.
+Status findPeriodic(MeshingState &state) {
+    const MeshingJob &job = state.job;
+    if (job.options.leastAngle) {
+        return error("least-angle", "a least angle cannot be had beside periodic parts, whose nodes are paired",
+                     "leave out the least angle, or the periodic parts");
+    }
+    if (!job.layers.empty()) {
+        return error("periodic-layers", "boundary layers cannot be had beside periodic parts, whose nodes are paired",
+                     "leave out the boundary layers, or the periodic parts");
+    }
+    Result<PeriodicSides> sides = findPeriodicSides(job.periodic, job.domain, state.faces, job.spacing.placed.counts());
+    if (!sides) {
+        return sides.faults();
+    }
+    state.periodic = std::move(*sides);
+    return {};
+}
+
 } // namespace
 
 Status validateStage(MeshingState &state, const Progress &progress) {
@@ -39,6 +61,10 @@ Status validateStage(MeshingState &state, const Progress &progress) {
     if (!hasErrors(faults)) {
         Diagnostics ofLayers = checkLayers(state.job.layers, state.job.domain);
         faults.insert(faults.end(), ofLayers.begin(), ofLayers.end());
+    }
+    if (!hasErrors(faults) && !state.job.periodic.empty()) {
+        Status ofPeriodic = findPeriodic(state);
+        faults.insert(faults.end(), ofPeriodic.begin(), ofPeriodic.end());
     }
     return faults;
 }

@@ -1,4 +1,5 @@
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/mesh/periodic_pairs.hpp"
 #include "core/files/abaqus/abaqus.hpp"
 #include "core/files/abaqus/abaqus_coordinate.hpp"
 #include "core/files/abaqus/abaqus_sets.hpp"
@@ -99,6 +100,28 @@ void writePoints(const MeshView &mesh, const AbaqusNames &names, TextWriter &out
     }
 }
 
+/// Writes the pairs of nodes of periodic parts as comments: equations of equal displacements where the parts are moved
+/// copies, to be used without "** "; for turned parts, whose displacements turn too, the pairs alone.
+void writePeriodic(const MeshView &mesh, const AbaqusNames &names, const PeriodicLink &link, TextWriter &out) {
+    const auto from = names.sets.edges.find(link.from), to = names.sets.edges.find(link.to);
+    if (from == names.sets.edges.end() || to == names.sets.edges.end()) {
+        return;
+    }
+    const PeriodicPairs found = periodicPairs(mesh, link);
+    out << "** periodic: " << to->second << " is the image of " << from->second << ", " << found.pairs.size()
+        << " pairs of nodes\n";
+    for (const NodePair &pair : found.pairs) {
+        if (!link.map.translates()) {
+            out << "** pair " << index(pair.to) + 1 << ", " << index(pair.from) + 1 << '\n';
+            continue;
+        }
+        for (const int direction : {1, 2}) {
+            out << "** *EQUATION\n** 2\n** " << index(pair.to) + 1 << ", " << direction << ", 1., "
+                << index(pair.from) + 1 << ", " << direction << ", -1.\n";
+        }
+    }
+}
+
 } // namespace
 
 /// Writes Abaqus input for CalculiX and Abaqus: elements of plane stress in a set per region, a node set and a surface
@@ -118,6 +141,9 @@ void writeAbaqus(const MeshView &mesh, TextWriter &out) {
         writeBoundaries(mesh, names, out);
     }
     writePoints(mesh, names, out);
+    for (const PeriodicLink &link : mesh.periodic) {
+        writePeriodic(mesh, names, link, out);
+    }
 }
 
 Diagnostics noteAbaqusChanges(const MeshView &mesh) {

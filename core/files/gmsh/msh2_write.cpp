@@ -1,8 +1,33 @@
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/gmsh/msh_groups.hpp"
+#include "core/files/gmsh/msh_periodic.hpp"
 
 namespace forefront {
+
+namespace {
+
+/// Writes the section $Periodic; nothing for a mesh without periodic parts.
+void writeMsh2Periodic(const MeshView &mesh, const MshGroups &groups, TextWriter &out) {
+    if (mesh.periodic.empty()) {
+        return;
+    }
+    out << "$Periodic\n" << mesh.periodic.size() << '\n';
+    for (const PeriodicLink &link : mesh.periodic) {
+        out << "1 " << groups.number(1, link.to) << ' ' << groups.number(1, link.from) << "\nAffine";
+        for (const double value : affineOf(link.map)) {
+            out << ' ' << value;
+        }
+        const PeriodicPairs found = periodicPairs(mesh, link);
+        out << '\n' << found.pairs.size() << '\n';
+        for (const NodePair &pair : found.pairs) {
+            out << index(pair.to) + 1 << ' ' << index(pair.from) + 1 << '\n';
+        }
+    }
+    out << "$EndPeriodic\n";
+}
+
+} // namespace
 
 /// Writes MSH 2.2, ASCII: each element line is "number type 2 group entity nodes", where both tags are the number of
 /// the group.
@@ -35,6 +60,7 @@ void writeMsh2With(const MeshView &mesh, const ExportOptions &options, TextWrite
         }
     }
     out << "$EndElements\n";
+    writeMsh2Periodic(mesh, groups, out);
     writeMshElevations(mesh, out);
     groups.writeOrigins(out);
 }

@@ -1,6 +1,8 @@
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/gmsh/msh_model.hpp"
+#include "core/files/gmsh/msh_periodic.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace forefront {
@@ -165,6 +167,14 @@ void writeSections(const MeshView &mesh, const ExportOptions &options, TextWrite
     writeEntities(model, rows);
     writeNodes(mesh, model, rows);
     writeElements(mesh, model, rows);
+    const auto curve = [&](std::int32_t tag) {
+        const std::int32_t group = groups.number(1, tag);
+        const auto found = std::find_if(model.entities().begin(), model.entities().end(), [&](const MshEntity &entity) {
+            return entity.dimension == 1 && entity.physical == group;
+        });
+        return found->tag;
+    };
+    writeMsh4Periodic(mesh, curve, rows);
     writeValues(mesh, out);
     groups.writeOrigins(out);
 }

@@ -1,0 +1,93 @@
+#include "app/batch/periodic_option.hpp"
+
+#include "core/files/common/names.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace forefront {
+
+namespace {
+
+/// The boundary parts of a job by name.
+class PartNames {
+  public:
+    explicit PartNames(const Domain &domain) {
+        for (const DomainSegment &segment : domain.segments) {
+            parts_.try_emplace(segment.tag, boundaryName(domain.boundaryNames, segment.tag));
+        }
+    }
+
+    /// Returns the tag of a part: by its name or, if none has it, by its default name.
+    std::optional<std::int32_t> find(const std::string &name) const {
+        for (const auto &[tag, own] : parts_) {
+            if (own == name) {
+                return tag;
+            }
+        }
+        for (const auto &[tag, own] : parts_) {
+            if ("boundary_" + std::to_string(tag) == name) {
+                return tag;
+            }
+        }
+        return std::nullopt;
+    }
+    std::vector<std::string> names() const {
+        std::vector<std::string> names;
+        for (const auto &[tag, own] : parts_) {
+            names.push_back(own);
+        }
+        return names;
+    }
+
+  private:
+    std::map<std::int32_t, std::string> parts_;
+};
+
+} // namespace
+
+void addPeriodicOption(CLI::App &app, std::vector<std::string> &texts) {
+    app.add_option("--periodic", texts,
+                   "divide two boundary parts alike, such as left:right: the second is the first one moved or turned, "
+                   "and each of its nodes is the image of one of the first; can be repeated")
+        ->allow_extra_args(false)
+        ->type_name("NAME:NAME");
+}
+
+Diagnostics applyPeriodic(const std::vector<std::string> &texts, MeshingJob &job) {
+    const PartNames parts(job.domain);
+    std::vector<PeriodicSpec> given;
+    for (const std::string &text : texts) {
+        // Names may hold colons: the first place where both sides are known counts.
+        std::optional<PeriodicSpec> spec;
+        for (std::size_t colon = text.find(':'); colon != std::string::npos && !spec;
+             colon = text.find(':', colon + 1)) {
+            const auto from = parts.find(text.substr(0, colon)), to = parts.find(text.substr(colon + 1));
+            if (from && to) {
+                spec = PeriodicSpec{*from, *to};
+            }
+        }
+        if (!spec) {
+            const std::size_t colon = text.find(':');
+            if (colon == std::string::npos || colon == 0 || colon + 1 == text.size()) {
+                return error("bad-option", "--periodic " + text + ": expected two boundary parts, such as left:right");
+            }
+            const std::string first = text.substr(0, colon);
+            constexpr std::size_t kListed = 20;
+            return error("unknown-boundary",
+                         "--periodic: unknown boundary part " + (parts.find(first) ? text.substr(colon + 1) : first),
+                         "expected one of " + listed(parts.names(), kListed));
+        }
+        given.push_back(*spec);
+    }
+    std::erase_if(job.periodic, [&](const PeriodicSpec &own) {
+        return std::any_of(given.begin(), given.end(), [&](const PeriodicSpec &spec) {
+            return spec.from == own.from || spec.from == own.to || spec.to == own.from || spec.to == own.to;
+        });
+    });
+    job.periodic.insert(job.periodic.end(), given.begin(), given.end());
+    return {};
+}
+
+} // namespace forefront
