@@ -6,6 +6,7 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/outputs.hpp"
+#include "app/batch/raster_option.hpp"
 #include "app/batch/rules_option.hpp"
 
 #include <algorithm>
@@ -38,6 +39,8 @@ Examples:
         a case of OpenFOAM, one cell thick
   forefront mesh lake.geojson -o lake.14 --elevation depth.asc
         a grid of ADCIRC with the depths of a raster
+  forefront mesh bay.geojson -o bay.14 --raster depth=sea.asc --spacing "max(50, 0.05*depth(x,y))"
+        edges by the depth of the sea
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
@@ -152,6 +155,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     addElevationOption(app, arguments.form.elevation);
     auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
+    addRasterOptions(app, *spacing, arguments.rasters, arguments.presets);
     spacing
         ->add_option("--spacing-file", arguments.spacingFile,
                      "use the spacing of a project, a background mesh (" + spacingFiles<FileKind::Mesh>() +
@@ -193,6 +197,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     std::string wrong = grid.empty() ? std::string() : parseGrid(grid, arguments);
     if (wrong.empty()) {
         wrong = parseLayers(layers, arguments.layers);
+    }
+    if (wrong.empty()) {
+        wrong = checkRasters(arguments.rasters, arguments.presets, arguments.expression);
     }
     if (wrong.empty()) {
         wrong = checkFormats(arguments.outputs, arguments.formats);

@@ -9,6 +9,7 @@
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
+#include "app/batch/raster_option.hpp"
 #include "app/batch/report.hpp"
 #include "app/batch/rules_option.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
@@ -102,10 +103,14 @@ Result<std::optional<PictureSizes>> placedPicture(const MeshArguments &arguments
 Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Input> &file, ReadJob &read,
                          ImportNotes &notes) {
     SpacingSpec &spacing = read.job.spacing;
-    const char *const option = arguments.size         ? "--size"
-                               : arguments.expression ? "--spacing"
-                               : file                 ? "--spacing-file"
-                                                      : nullptr;
+    const char *const option = arguments.size               ? "--size"
+                               : !arguments.presets.empty() ? "--size-preset"
+                               : arguments.expression       ? "--spacing"
+                               : file                       ? "--spacing-file"
+                                                            : nullptr;
+    if (Diagnostics faults = addRasters(arguments.rasters, arguments.quiet, spacing); !faults.empty()) {
+        return faults;
+    }
     if (option != nullptr && !arguments.quiet) {
         printFaults(replacedSpacing(option, spacing));
     }
@@ -179,6 +184,9 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
         if (arguments.threads) {
             add("--threads", "quadrilaterals are made on one thread");
         }
+    }
+    if (!arguments.rasters.empty() && !job.spacing.expression) {
+        add("--raster", "no expression sets the size; add --spacing EXPR or --size-preset RULE");
     }
     if (arguments.quadNodes && job.options.order == ElementOrder::First) {
         add("--quad-nodes", "elements of order 1 have nodes at their corners alone; add --order 2");
