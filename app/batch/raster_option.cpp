@@ -24,15 +24,18 @@ std::pair<std::string, std::string> nameAndFile(const std::string &text) {
 
 } // namespace
 
-void addRasterOptions(CLI::App &app, CLI::App &group, std::vector<std::string> &rasters, std::vector<std::string> &presets) {
-    app.add_option("--raster", rasters,
-                   "a raster that the expression of the spacing calls by its name: with depth=sea.asc, depth(x,y) is its "
-                   "bilinear value, depth_x(x,y) and depth_y(x,y) its slopes; an ESRI ASCII grid (.asc) with values in "
-                   "the whole domain, up to 2 cells from it; repeatable")
+void addRasterOptions(CLI::App &app, CLI::App &group, std::vector<std::string> &rasters,
+                      std::vector<std::string> &presets) {
+    app.add_option(
+           "--raster", rasters,
+           "a raster that the expression of the spacing calls by its name: with depth=sea.asc, depth(x,y) is its "
+           "bilinear value, depth_x(x,y) and depth_y(x,y) its slopes; an ESRI ASCII grid (.asc) with values in "
+           "the whole domain, up to 2 cells from it; repeatable")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false);
-    group.add_option("--size-preset", presets,
-                   "edge length by a rule, in place of --spacing; of several the smallest counts: " + sizePresetHelp())
+    group
+        .add_option("--size-preset", presets,
+                    "edge length by a rule, in place of --spacing; of several the smallest counts: " + sizePresetHelp())
         ->type_name("RULE:KEY=VALUE,...")
         ->allow_extra_args(false);
 }

@@ -12,7 +12,8 @@
 namespace forefront {
 
 /// Adds --raster to a command, and --size-preset to the group of its options for the spacing.
-void addRasterOptions(CLI::App &app, CLI::App &group, std::vector<std::string> &rasters, std::vector<std::string> &presets);
+void addRasterOptions(CLI::App &app, CLI::App &group, std::vector<std::string> &rasters,
+                      std::vector<std::string> &presets);
 
 /// Returns the error in the names of --raster, or in --size-preset, which also sets `expression`; empty if all are
 /// valid.

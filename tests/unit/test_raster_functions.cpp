@@ -1,5 +1,5 @@
-#include "core/drawing/document/document.hpp"
 #include "core/drawing/commands/scale_document.hpp"
+#include "core/drawing/document/document.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/geometry/polygon.hpp"
 #include "core/engine/spacing/parts/expression/expression.hpp"
@@ -98,8 +98,8 @@ TEST_CASE("Raster functions: bounds over boxes hold all values") {
             const ValueRange range = program->range(box);
             CHECK_FALSE(range.undefined);
             for (int i = 0; i <= 16; ++i) {
-                const double v = program->evaluate({box.min.x + box.size().x * (i % 4) / 4.0,
-                                                    box.min.y + box.size().y * (i / 4) / 4.0});
+                const double v = program->evaluate(
+                    {box.min.x + box.size().x * (i % 4) / 4.0, box.min.y + box.size().y * (i / 4) / 4.0});
                 CHECK(v >= range.low);
                 CHECK(v <= range.high);
             }

@@ -68,9 +68,10 @@ bool isNumber(const std::string &text) {
 }
 
 bool isName(std::string_view text) {
-    return !text.empty() && (text.front() < '0' || text.front() > '9') && std::all_of(text.begin(), text.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    });
+    return !text.empty() && (text.front() < '0' || text.front() > '9') &&
+           std::all_of(text.begin(), text.end(), [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+           });
 }
 
 /// Returns what is wrong with a key of a rule; empty if nothing is.
@@ -79,7 +80,8 @@ std::string keyFault(const SizePreset &preset, const std::string &key, const std
         return "unknown key '" + key + "'; expected" + std::string(preset.keys.substr(0, preset.keys.size() - 1));
     }
     if (key == "part") {
-        return value.empty() || value.find('\'') != std::string::npos ? "part: expected the name of a boundary part" : "";
+        return value.empty() || value.find('\'') != std::string::npos ? "part: expected the name of a boundary part"
+                                                                      : "";
     }
     if (key == "depth" || key == "elevation") {
         return isName(value) ? "" : key + ": expected the name of a raster, got '" + value + "'";
