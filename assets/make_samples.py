@@ -370,7 +370,6 @@ def bay():
     p.spacing.update({"expression": "min(600/30*sqrt(9.81*max(depth(x,y), 1)), 120 + 0.2*shore(x,y,'coast','island'))",
                       "rasters": {"depth": {"origin": [0, 0], "pitch": [pitch, pitch], "columns": columns,
                                             "values": values}}})
-    p.circle_tolerance = 1.0
     p.write("bay.json")
 
 
