@@ -346,6 +346,33 @@ def ripples():
     p.write("ripples.json")
 
 
+def bay():
+    """A bay of 20 km by 15 km with an island and a channel. In km, the depth of its sea bed in m is
+    4 + 60·(x/20)^1.5 + 25·exp(-((y - 7.5)/0.9)² - x/9) - 14·exp(-((x - 13)² + (y - 4)²)/3)."""
+    p = Project()
+    p.boundaries = {1: "coast", 2: "open sea", 3: "island"}
+    p.regions = {1: "bay"}
+    coast = []
+    for k in range(41):
+        y = 15.0 - 15.0 * k / 40
+        coast.append((1000 * (1.6 + 0.9 * math.cos(2 * math.pi * (y - 7.5) / 9.0 + math.pi)
+                              + 0.25 * math.sin(1.9 * y)), 1000 * y))
+    p.add("polygon", coast + [(20000, 0), (20000, 15000)], 1, "bay", segment_tags=[1] * 40 + [2] * 3)
+    p.add("polygon", [(9000 + 700 * math.cos(a) * (1 + 0.2 * math.sin(3 * a)),
+                       11000 + 500 * math.sin(a) * (1 + 0.2 * math.sin(3 * a)))
+                      for a in (2 * math.pi * k / 30 for k in range(30))], 3, "island")
+
+    def depth(x, y):
+        return (4 + 60 * (max(x, 0) / 20)**1.5 + 25 * math.exp(-((y - 7.5) / 0.9)**2 - x / 9)
+                - 14 * math.exp(-((x - 13)**2 + (y - 4)**2) / 3))
+    columns, rows, pitch = 51, 39, 400
+    values = [round(depth(i * pitch / 1000, k * pitch / 1000), 1) for k in range(rows) for i in range(columns)]
+    p.spacing.update({"expression": "min(600/30*sqrt(9.81*max(depth(x,y), 1)), 120 + 0.2*shore(x,y,'coast','island'))",
+                      "rasters": {"depth": {"origin": [0, 0], "pitch": [pitch, pitch], "columns": columns,
+                                            "values": values}}})
+    p.write("bay.json")
+
+
 if __name__ == "__main__":
     HERE.mkdir(exist_ok=True)
     gallery = [
@@ -357,6 +384,7 @@ if __name__ == "__main__":
         ("plate.json", "Plate with a hole", "a source around the hole", plate),
         ("airfoil.json", "Airfoil", "fine at its edges and wake, coarse far away", airfoil),
         ("lake.json", "Lake with islands", "spacing from the segment lengths of the shore", lake),
+        ("bay.json", "Bay with a sea bed", "sizes by depth, for a wave of 10 minutes, and by the distance to the shore", bay),
         ("gear.json", "Gear", "a bore and holes set by parameters, spacing as an expression", None),
         ("crack.json", "Cracked plate", "an inner line, fine at its tips", crack),
         ("letter.json", "Letter A", "an outline with an inner loop", letter),

@@ -5,6 +5,7 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
+#include "app/batch/raster_option.hpp"
 #include "app/batch/report.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/domain/document_domain.hpp"
@@ -70,6 +71,7 @@ struct CheckArguments {
     bool repair = false;
     std::optional<double> size;
     std::optional<std::string> expression;
+    std::vector<std::string> rasters, presets; ///< of --raster and --size-preset, which sets `expression`
     MeshLimits limits;
     WaterLimits water;
     std::optional<std::filesystem::path> savedLimits; ///< project
@@ -96,6 +98,9 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
     SpacingSpec spec;
     spec.size = arguments.size;
     spec.expression = arguments.expression;
+    if (Diagnostics faults = addRasters(arguments.rasters, false, spec); !faults.empty()) {
+        return faults;
+    }
     const Result<Domain> domain = domainOfMesh(mesh);
     return domain ? SpacingField::build(spec, *domain) : domain.faults();
 }
@@ -307,6 +312,7 @@ int checkCommand(const CommandLine &line) {
     app.add_flag("--repair", arguments.repair, "repair the domain first, as mesh --repair does");
     auto *spacing = app.add_option_group("Spacing", "report how closely the mesh follows this spacing; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
+    addRasterOptions(app, *spacing, arguments.rasters, arguments.presets);
     spacing->require_option(0, 1);
     auto *limits = app.add_option_group("Limits", "refuse a mesh that violates one of these");
     addLimitOptions(*limits, arguments.limits);
@@ -335,7 +341,13 @@ int checkCommand(const CommandLine &line) {
     if (const auto code = parseOptions(app, line)) {
         return *code;
     }
-    const std::string wrong = checkInputs({arguments.mesh, arguments.domain}, arguments.inputFormat);
+    std::string wrong = checkInputs({arguments.mesh, arguments.domain}, arguments.inputFormat);
+    if (wrong.empty()) {
+        wrong = checkRasters(arguments.rasters, arguments.presets, arguments.expression);
+    }
+    if (wrong.empty() && !arguments.rasters.empty() && !arguments.expression) {
+        wrong = "--raster: no expression calls it; add --spacing EXPR or --size-preset RULE";
+    }
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);
     }

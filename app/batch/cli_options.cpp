@@ -127,6 +127,7 @@ bool applySpacingOptions(std::optional<double> size, const std::optional<std::st
     rules.size = size;
     rules.expression = expression;
     rules.names = spacing.names; // of the project's parameters
+    rules.rasters = spacing.rasters;
     spacing.replaceRules(std::move(rules));
     return true;
 }

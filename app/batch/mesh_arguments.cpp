@@ -8,6 +8,7 @@
 #include "app/batch/option_table.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/periodic_option.hpp"
+#include "app/batch/raster_option.hpp"
 #include "app/batch/rules_option.hpp"
 #include "app/batch/several_inputs.hpp"
 #include "app/batch/suggestion.hpp"
@@ -51,6 +52,8 @@ Examples:
         how many elements that would be, and about how much memory and time they would take
   forefront mesh lake.geojson --config fine.toml -o lake.vtu
         options of a file with lines such as size = 0.5, verify = true and set = {r = "2*d"}
+  forefront mesh bay.geojson -o bay.14 --raster depth=sea.asc --spacing "max(50, 0.05*depth(x,y))"
+        edges by the depth of the sea
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
@@ -190,6 +193,7 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     addElevationOption(app, arguments.form.elevation);
     auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
+    addRasterOptions(app, *spacing, arguments.rasters, arguments.presets);
     spacing
         ->add_option("--spacing-file", arguments.spacingFile,
                      "use the spacing of a project, a background mesh (" + spacingFiles<FileKind::Mesh>() +
@@ -236,6 +240,9 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     std::string wrong = grid.empty() ? std::string() : parseGrid(grid, arguments);
     if (wrong.empty()) {
         wrong = parseLayers(layers, arguments.layers);
+    }
+    if (wrong.empty()) {
+        wrong = checkRasters(arguments.rasters, arguments.presets, arguments.expression);
     }
     if (wrong.empty()) {
         wrong = checkFormats(arguments.outputs, arguments.formats);

@@ -26,6 +26,8 @@ struct MeshArguments {
     std::map<std::string, std::string> parameters; ///< expressions by name, from --set
     std::optional<double> size;
     std::optional<std::string> expression;
+    std::vector<std::string> rasters; ///< NAME=FILE
+    std::vector<std::string> presets; ///< rules; they set `expression`
     std::optional<std::filesystem::path> spacingFile;
     std::optional<PictureSizes> pictureSizes; ///< of a picture as spacing file, without its box
     std::optional<Box2> pictureBox;

@@ -11,6 +11,7 @@
 #include "app/batch/outputs.hpp"
 #include "app/batch/periodic_option.hpp"
 #include "app/batch/progress_bar.hpp"
+#include "app/batch/raster_option.hpp"
 #include "app/batch/report.hpp"
 #include "app/batch/rules_option.hpp"
 #include "app/batch/several_inputs.hpp"
@@ -106,10 +107,14 @@ Result<std::optional<PictureSizes>> placedPicture(const MeshArguments &arguments
 Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Input> &file, ReadJob &read,
                          ImportNotes &notes) {
     SpacingSpec &spacing = read.job.spacing;
-    const char *const option = arguments.size         ? "--size"
-                               : arguments.expression ? "--spacing"
-                               : file                 ? "--spacing-file"
-                                                      : nullptr;
+    const char *const option = arguments.size               ? "--size"
+                               : !arguments.presets.empty() ? "--size-preset"
+                               : arguments.expression       ? "--spacing"
+                               : file                       ? "--spacing-file"
+                                                            : nullptr;
+    if (Diagnostics faults = addRasters(arguments.rasters, arguments.quiet, spacing); !faults.empty()) {
+        return faults;
+    }
     if (option != nullptr && !arguments.quiet) {
         printFaults(replacedSpacing(option, spacing));
     }
@@ -184,6 +189,9 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
         if (arguments.threads) {
             add("--threads", "quadrilaterals are made on one thread");
         }
+    }
+    if (!arguments.rasters.empty() && !job.spacing.expression) {
+        add("--raster", "no expression sets the size; add --spacing EXPR or --size-preset RULE");
     }
     if (arguments.quadNodes && job.options.order == ElementOrder::First) {
         add("--quad-nodes", "elements of order 1 have nodes at their corners alone; add --order 2");

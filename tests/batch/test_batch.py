@@ -1878,6 +1878,38 @@ class Telling(Case):
         refused = self.call("mesh", samples / "joint.json", "-o", "none.msh", "--set", "t=20", "--set", "h=80", code=1)
         self.assertIn("would have no length", refused.stderr)
 
+    def test_sizes_follow_rasters_and_the_distance_to_the_shore(self):
+        bay = pathlib.Path(__file__).parents[2] / "assets" / "samples" / "bay.json"
+        self.call("mesh", bay, "-o", "bay.msh")
+        told = self.info("bay.msh")
+        self.assertTrue(told["valid"])
+        self.assertEqual({part["name"] for part in told["boundaries"]}, {"coast", "open sea", "island"})
+        # A square of 20 x 20 over a bed that falls from 1 m at the left to 21 m at the right.
+        self.write("square.poly", "4 2 0 0\n1 0 0\n2 20 0\n3 20 20\n4 0 20\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n")
+        rows = [" ".join(str(1 + i) for i in range(21))] * 21
+        head = "ncols 21\nnrows 21\nxllcenter 0\nyllcenter 0\ncellsize 1\nNODATA_value -9999\n"
+        self.write("bed.asc", head + "\n".join(rows) + "\n")
+        self.call("mesh", "square.poly", "-o", "byformula.msh", "--spacing", "0.1*(1+x)")
+        for option in ("--spacing=0.1*bed(x,y)", "--spacing=0.1*(1+x)*bed_x(x,y)"):
+            self.call("mesh", "square.poly", "-o", "byraster.msh", "--raster", "bed=bed.asc", option)
+            counts = [self.info(f"{name}.msh")["elements"] for name in ("byformula", "byraster")]
+            self.assertLess(abs(counts[0] - counts[1]), 0.05 * counts[0])
+        self.call("mesh", "square.poly", "-o", "rule.msh", "--raster", "bed=bed.asc",
+                  "--size-preset", "wavelength:depth=bed,period=10,elements=20", "--size-preset", "shore:size=1,growth=0.2")
+        self.assertTrue(self.info("rule.msh")["valid"])
+        self.call("check", "byraster.msh", "--raster", "bed=bed.asc", "--spacing", "0.1*bed(x,y)")
+        rows[10] = rows[11] = rows[12] = rows[13] = rows[9] = " ".join(["-9999"] * 21)
+        rows[8] = rows[14] = rows[9]
+        self.write("gap.asc", head + "\n".join(rows) + "\n")
+        refused = self.call("mesh", "square.poly", "-o", "none.msh", "--raster", "bed=gap.asc",
+                            "--spacing", "max(1, bed(x,y))", code=1)
+        self.assertIn("the raster 'bed' has no value in or near a part of the domain", refused.stderr)
+        for options, message in ((["--raster", "bed"], "expected NAME=FILE"), (["--raster", "sin=bed.asc"], "another meaning"),
+                                 (["--size-preset", "tide:elements=3"], "unknown rule"),
+                                 (["--raster", "bed=bed.asc", "--spacing", "bet(x,y)"], "unknown name 'bet'")):
+            refused = self.call("mesh", "square.poly", "-o", "none.msh", *options, code=2)
+            self.assertIn(message, refused.stderr)
+
     def test_info_refuses_what_holds_neither(self):
         self.write("broken.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nx\n")
         self.assertIn("broken.msh:", self.call("info", "broken.msh", code=1).stderr)

@@ -29,6 +29,7 @@ std::vector<ActionCase> fileCases() {
              [](D &d, const B &) { return d.logHas("cannot-read"); }},
             {"file.import", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "import"); }},
             {"file.importSpacing", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "importspacing"); }},
+            {"file.addRaster", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "addraster"); }},
             {"file.openRules", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "openrules"); }},
             {"file.saveRules", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "saverules"); }},
             {"file.addPicture", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "picture"); }},

@@ -234,6 +234,7 @@ std::vector<Shot> scenes() {
             {"save", action("file.saveAs")},
             {"import", action("file.import")},
             {"importspacing", action("file.importSpacing")},
+            {"addraster", action("file.addRaster")},
             {"picture", action("file.addPicture")},
             {"openlesson", action("learn.openLesson")},
             {"importoptions", importBracket},

@@ -114,6 +114,7 @@ void addFileActions(ActionRegistry &actions) {
                  .separatorBefore = true});
     actions.add(
         {.id = "file.importSpacing", .menu = "File", .title = "Import spacing\xe2\x80\xa6", .run = importSpacing});
+    actions.add({.id = "file.addRaster", .menu = "File", .title = "Add raster\xe2\x80\xa6", .run = addRaster});
     actions.add(
         {.id = "file.addPicture", .menu = "File", .title = "Add background picture\xe2\x80\xa6", .run = [](Shell &c) {
              addPicture(c);

@@ -48,6 +48,8 @@ void overwriteDocument(Shell &context, const std::function<void(Shell &)> &then)
 void importDrawing(Shell &context);
 /// Imports the spacing of a project, of a mesh with nodal values, of a grid of sizes or of a picture.
 void importSpacing(Shell &context);
+/// Asks for a raster that the expression of the spacing can call, and adds it under the name of its file.
+void addRaster(Shell &context);
 /// Asks for a picture to put below the drawing.
 void addPicture(Shell &context);
 /// Puts a picture below the drawing once another thread has read it.

@@ -1,5 +1,6 @@
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/engine/spacing/parts/expression/expression.hpp"
+#include "core/engine/spacing/spec/size_presets.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/gradation_row.hpp"
@@ -13,6 +14,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -25,6 +28,7 @@ class SpacingPanel final : public Panel {
 
   private:
     static void drawExpression(Shell &context);
+    static void drawRasters(Shell &context);
     static void drawSources(Shell &context);
     static void drawElementCounts(Shell &context);
     static void drawCurveTolerance(Shell &context);
@@ -72,7 +76,8 @@ void drawExpressionFault(WidgetContext &context, const Diagnostic &fault, const 
 void enterExpression(Shell &context, const std::string &typed) {
     const Document &document = *context.document.current();
     if (!trimmed(typed).empty()) {
-        if (const Result<ExpressionProgram> compiled = compileExpression(typed, document.spacing.names); !compiled) {
+        if (const Result<ExpressionProgram> compiled = compileSpacingExpression(typed, document.spacing, nullptr);
+            !compiled) {
             const Diagnostic &fault = compiled.faults().front();
             ui::refuseEntry(context, "spacing/expression", compiled.faults(),
                             fault.column > 0 ? "column " + std::to_string(fault.column) + ": " + fault.message
@@ -91,11 +96,63 @@ void SpacingPanel::drawExpression(Shell &context) {
     if (ui::inputName(context, "spacing/expression", typed, "0.1 + 0.2*abs(x)")) {
         enterExpression(context, typed);
     }
-    ui::rowTooltip(context, "Node spacing \xcf\x81 as a function of x and y. Where several parts give a spacing, the "
-                            "smallest applies.");
+    ui::rowTooltip(context, "Node spacing \xcf\x81 as a function of x and y, of rasters such as depth(x,y), and of the "
+                            "distance to the boundary, shore(x,y), or to parts of it, shore(x,y,'coast'). Where "
+                            "several parts give a spacing, the smallest applies.");
     if (const Diagnostic *fault = expressionFault(context)) {
         drawExpressionFault(context, *fault, expression);
     }
+}
+
+/// Opens the menu of rules that write the expression, with figures to edit; two of them need a raster of depths.
+void openPresets(Shell &context) {
+    const RasterMap &rasters = context.document.current()->spacing.rasters;
+    const std::string depth = rasters.empty() ? std::string() : rasters.begin()->first;
+    const auto command = [](const char *id, const char *title, std::string rule) {
+        return commandOf(id, title, [rule = std::move(rule)](Shell &c) {
+            const Result<std::string> text = presetExpression(std::span(&rule, 1));
+            if (text) {
+                c.document.apply(setExpression(*c.document.current(), *text), "Set sizes by a rule");
+            }
+        });
+    };
+    ContextGroup group;
+    if (!depth.empty()) {
+        group.push_back(command("wavelength", "Elements per wavelength",
+                                "wavelength:depth=" + depth + ",period=44714,elements=200,min=50"));
+        group.push_back(
+            command("slope", "Slope of the sea bed", "slope:depth=" + depth + ",elements=20,min=50,max=5000"));
+    }
+    group.push_back(command("shore", "Distance to the shore", "shore:size=50,growth=0.15"));
+    group.push_back(commandOf("channels", "Width of channels", [](Shell &c) {
+        c.applyCommand(setElementsAcross(*c.document.current(), 4.0), "Change elements per gap");
+    }));
+    context.menu.open({std::move(group)});
+}
+
+void SpacingPanel::drawRasters(Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
+    for (const auto &[name, raster] : document->spacing.rasters) {
+        form::label(context, "Raster");
+        if (ui::button(context, "spacing/raster/" + name, "Remove " + name)) {
+            Document next = *context.document.current();
+            next.spacing.rasters.erase(name);
+            context.document.apply(std::move(next), "Remove raster");
+        }
+        ui::rowTooltip(context, name + "(x,y) is its value in the expression, " + name + "_x(x,y) and " + name +
+                                    "_y(x,y) its slopes; " + ui::count(raster->columns) + " x " +
+                                    ui::count(raster->rows) + " values");
+    }
+    form::label(context, "");
+    if (ui::button(context, "spacing/addraster", "Add raster\xe2\x80\xa6")) {
+        context.actions.run("file.addRaster", context);
+    }
+    ui::tooltip(context, "A grid of depths, for example, that the expression calls by its name");
+    ImGui::SameLine(0, context.px(6));
+    if (ui::button(context, "spacing/presets", "Rule\xe2\x80\xa6")) {
+        openPresets(context);
+    }
+    ui::tooltip(context, "Write the expression by a rule, such as elements per wavelength over a raster of depths");
 }
 
 /// Returns the size of a source, or the sizes at both ends: "ρ 0.1–0.4".
@@ -237,6 +294,7 @@ void SpacingPanel::draw(Shell &context) {
     }
     ui::rowTooltip(context, "Element size wherever nothing asks for smaller elements. Leave empty for automatic.");
     drawExpression(context);
+    drawRasters(context);
     drawSources(context);
     drawLimits(context);
     if (!spacing.paint.tiles.empty()) {

@@ -41,6 +41,12 @@ void scaleSpacing(SpacingSpec &spacing, const PlaneMap &map, double factor) {
         part.size *= factor;
     }
     scalePaint(spacing.paint, map, factor);
+    for (auto &[name, raster] : spacing.rasters) { // the values have units of their own
+        Raster scaled = *raster;
+        scaled.origin = map(scaled.origin);
+        scaled.pitch = factor * scaled.pitch;
+        raster = std::make_shared<const Raster>(std::move(scaled));
+    }
     if (spacing.background) {
         BackgroundMesh mesh = *spacing.background;
         for (Vec2 &node : mesh.nodes) {

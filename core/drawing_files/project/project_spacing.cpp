@@ -1,5 +1,6 @@
 #include "core/drawing_files/project/project_spacing.hpp"
 
+#include "core/drawing_files/project/project_rasters.hpp"
 #include "core/drawing_files/project/tile_code.hpp"
 
 #include <algorithm>
@@ -316,6 +317,11 @@ constexpr std::array kMembers = {
                   [](const SpacingSpec &spec, JsonText &out) { out << jsonString(*spec.expression); },
                   [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {
                       spec.expression = check.string(value, "\"expression\"");
+                  }},
+    SpacingMember{"rasters", [](const SpacingSpec &spec) { return !spec.rasters.empty(); },
+                  [](const SpacingSpec &spec, JsonText &out) { writeRasters(spec.rasters, out); },
+                  [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {
+                      spec.rasters = readRasters(value, check);
                   }},
     SpacingMember{"sources", [](const SpacingSpec &spec) { return !spec.sources.empty(); },
                   [](const SpacingSpec &spec, JsonText &out) { writeSources(spec.sources, out); },

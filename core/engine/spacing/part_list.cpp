@@ -6,6 +6,7 @@
 #include "core/engine/spacing/parts/background/background_cover.hpp"
 #include "core/engine/spacing/parts/background/limit_gradation.hpp"
 #include "core/engine/spacing/parts/curvature/curvature_sites.hpp"
+#include "core/engine/spacing/parts/expression/spacing_functions.hpp"
 #include "core/engine/spacing/parts/node_sizes/node_size_sites.hpp"
 #include "core/engine/spacing/parts/part_sizes/part_size_sites.hpp"
 #include "core/engine/spacing/parts/sources/source_sites.hpp"
@@ -51,6 +52,23 @@ Diagnostics addExpression(const PartInput &input, FieldParts &parts) {
 /// Functions cannot be compared.
 bool sameFunction(const SpacingSpec &a, const SpacingSpec &b) {
     return !a.hasFunction() && !b.hasFunction();
+}
+
+void checkRasterCells(const RasterMap &rasters, Diagnostics &faults) {
+    for (const auto &[name, raster] : rasters) {
+        const bool sound = raster != nullptr && raster->columns > 0 && raster->rows > 0 &&
+                           raster->values.size() == raster->columns * raster->rows && raster->pitch.x > 0.0 &&
+                           raster->pitch.y > 0.0 &&
+                           std::any_of(raster->values.begin(), raster->values.end(),
+                                       [](double value) { return std::isfinite(value); });
+        const std::string wrong = checkRasterName(name);
+        if (!sound || !wrong.empty()) {
+            const Diagnostics fault =
+                error("bad-raster", wrong.empty() ? "the raster '" + name + "' is invalid" : wrong,
+                      "give it columns x rows values, at least one of them finite, and a pitch above 0");
+            faults.insert(faults.end(), fault.begin(), fault.end());
+        }
+    }
 }
 
 void checkFunction(const SpacingSpec &spec, Diagnostics &faults) {
@@ -197,9 +215,11 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
     {"size", [](const SpacingSpec &spec) { return spec.size.has_value(); },
      [](const SpacingSpec &spec, Diagnostics &faults) { checkSize(spec.size, "spacing", faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.size == b.size; }, addSize},
-    {"expression", [](const SpacingSpec &spec) { return spec.expression.has_value(); }, neverFaulty,
+    {"expression", [](const SpacingSpec &spec) { return spec.expression.has_value(); },
+     [](const SpacingSpec &spec, Diagnostics &faults) { checkRasterCells(spec.rasters, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) {
-         return a.expression == b.expression && (!a.expression || a.names == b.names);
+         return a.expression == b.expression &&
+                (!a.expression || (a.names == b.names && sameRasters(a.rasters, b.rasters)));
      },
      addExpression},
     {"function", [](const SpacingSpec &spec) { return spec.hasFunction(); }, checkFunction, sameFunction, addFunction},
@@ -270,8 +290,8 @@ Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain) {
 }
 
 bool sameContent(const SpacingSpec &a, const SpacingSpec &b) {
-    return a.minimum == b.minimum && a.maximum == b.maximum && a.gradation == b.gradation &&
-           a.placed.elements == b.placed.elements && a.placed.biases == b.placed.biases &&
+    return sameRasters(a.rasters, b.rasters) && a.minimum == b.minimum && a.maximum == b.maximum &&
+           a.gradation == b.gradation && a.placed.elements == b.placed.elements && a.placed.biases == b.placed.biases &&
            std::all_of(kKinds.begin(), kKinds.end(), [&](const SpacingPartKind &kind) { return kind.same(a, b); });
 }
 

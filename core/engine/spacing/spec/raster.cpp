@@ -41,6 +41,18 @@ double mix(double a, double b, double part) {
 
 } // namespace
 
+bool operator==(const Raster &a, const Raster &b) {
+    return a.origin == b.origin && a.pitch == b.pitch && a.columns == b.columns && a.rows == b.rows &&
+           std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
+                      [](double v, double w) { return v == w || (std::isnan(v) && std::isnan(w)); });
+}
+
+bool sameRasters(const RasterMap &a, const RasterMap &b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto &one, const auto &other) {
+        return one.first == other.first && (one.second == other.second || *one.second == *other.second);
+    });
+}
+
 double Raster::at(Vec2 place) const {
     const Between x = between(place.x, origin.x, pitch.x, columns), y = between(place.y, origin.y, pitch.y, rows);
     if (!x.inside || !y.inside) {

@@ -4,6 +4,10 @@
 #include "core/engine/base/vec2.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace FOREFRONT_API forefront {
@@ -20,6 +24,14 @@ struct Raster {
     double at(Vec2 place) const;
     /// Returns the change of the value per unit of length along x and y; NaN where at() is.
     Vec2 gradient(Vec2 place) const;
+
+    /// Missing values are equal to each other.
+    friend bool operator==(const Raster &a, const Raster &b);
 };
+
+/// Rasters by the names that expressions call them by.
+using RasterMap = std::map<std::string, std::shared_ptr<const Raster>, std::less<>>;
+/// Returns true if both have the same names with equal rasters.
+bool sameRasters(const RasterMap &a, const RasterMap &b);
 
 } // namespace forefront

@@ -4,6 +4,7 @@
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/base/vec2.hpp"
 #include "core/engine/spacing/spec/placed_sizes.hpp"
+#include "core/engine/spacing/spec/raster.hpp"
 
 #include <algorithm>
 #include <array>
@@ -94,6 +95,8 @@ struct SpacingSpec {
     std::optional<double> size;                       ///< constant spacing, > 0
     std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
     std::map<std::string, double, std::less<>> names; ///< other names that the expression may use, such as parameters
+    /// Rasters that the expression may call by name, none null, such as depth(x, y); see compileSpacingExpression().
+    RasterMap rasters;
     /// The size as a function of the position, > 0 in the domain; called with finite coordinates in and near the
     /// domain's box. The same position must give the same value. An exception that it throws reaches the caller of the
     /// function that meshes, see MeshingJob. A project file cannot hold it.

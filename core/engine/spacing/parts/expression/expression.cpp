@@ -1,5 +1,7 @@
 #include "core/engine/spacing/parts/expression/expression.hpp"
 
+#include "core/engine/spacing/parts/expression/spacing_functions.hpp"
+
 #include <cmath>
 #include <variant>
 
@@ -33,11 +35,19 @@ Result<ExpressionProgram> compile(const std::string &text, FormulaNames names) {
 } // namespace
 
 Result<ExpressionProgram> compileExpression(const std::string &text, const NamedValues &names) {
-    return compile(text, {.coordinates = true, .values = names.empty() ? nullptr : &names});
+    return compile(text, {.coordinates = true, .values = names.empty() ? nullptr : &names, .functions = nullptr});
+}
+
+Result<ExpressionProgram> compileSpacingExpression(const std::string &text, const SpacingSpec &spec,
+                                                   const Domain *domain) {
+    const SpacingFunctions functions(spec, domain);
+    return compile(
+        text, {.coordinates = true, .values = spec.names.empty() ? nullptr : &spec.names, .functions = &functions});
 }
 
 Result<double> evaluateExpression(const std::string &text, const NamedValues &names) {
-    const Result<ExpressionProgram> program = compile(text, {.coordinates = false, .values = &names});
+    const Result<ExpressionProgram> program =
+        compile(text, {.coordinates = false, .values = &names, .functions = nullptr});
     if (!program) {
         return program.faults();
     }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
+#include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/parts/expression/expression_program.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <cstddef>
 #include <string>
@@ -20,6 +22,12 @@ inline constexpr std::size_t kMaxExpressionLength = 4000;
 ///
 /// Errors: expression-syntax, with `column` (1-based) in the text.
 Result<ExpressionProgram> compileExpression(const std::string &text, const NamedValues &names = {});
+
+/// Compiles the expression of a spacing in x, y and its names, which may also call its rasters and shore(x, y); see
+/// SpacingFunctions. Without a domain it is only checked, must not be evaluated, and any boundary part is accepted.
+/// Errors: expression-syntax, with `column`; also that of a boundary part that the domain does not have.
+Result<ExpressionProgram> compileSpacingExpression(const std::string &text, const SpacingSpec &spec,
+                                                   const Domain *domain);
 
 /// Returns the value of an expression in the given names but not x and y, such as 2*r + 0.5. Errors: expression-syntax,
 /// with `column`; expression-value if it is not finite.

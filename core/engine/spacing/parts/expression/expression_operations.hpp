@@ -14,7 +14,7 @@ constexpr int operandCount(ExpressionOp op) {
     if (op == ExpressionOp::Select) {
         return 3;
     }
-    return op <= ExpressionOp::Distance ? 2 : 1;
+    return op <= ExpressionOp::Call ? 2 : 1;
 }
 
 // Work like std::min and std::max, which muparser uses: if one operand is NaN, the first wins.
@@ -26,7 +26,7 @@ constexpr double greater(double a, double b) {
 }
 
 /// Dispatches an operation with one jump: calls on.push(f) with f(p, k), on.unary(f) with f(a, k), on.binary(f) with
-/// f(a, b, p) or on.select(), k being the constant of the instruction. One definition serves single and bulk
+/// f(a, b, p), on.call() or on.select(), k being the constant of the instruction. One definition serves single and bulk
 /// evaluation, so that both give the same doubles.
 template <class On>
 inline void dispatch(ExpressionOp op, On &&on) {
@@ -75,6 +75,8 @@ inline void dispatch(ExpressionOp op, On &&on) {
     case Op::Distance:
         return on.binary(
             [](double a, double b, Vec2 p) { return std::sqrt((p.x - a) * (p.x - a) + (p.y - b) * (p.y - b)); });
+    case Op::Call:
+        return on.call();
     case Op::AddBy:
         return on.unary([](double a, double k) { return a + k; });
     case Op::SubtractBy:

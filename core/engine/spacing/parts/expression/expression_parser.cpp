@@ -107,7 +107,7 @@ class Parser {
   public:
     Parser(std::string_view text, FormulaNames names) : text_(text), names_(names) {}
 
-    std::variant<std::vector<ExpressionInstruction>, ExpressionFault> run() {
+    std::variant<ParsedExpression, ExpressionFault> run() {
         parseChoice();
         skipBlanks();
         if (!fault_ && at_ < text_.size()) {
@@ -116,7 +116,7 @@ class Parser {
         if (fault_) {
             return *fault_;
         }
-        return std::move(code_);
+        return ParsedExpression{std::move(code_), std::move(functions_)};
     }
 
   private:
@@ -300,14 +300,66 @@ class Parser {
                 return;
             }
         }
+        if (parsePlaneFunction(name, end)) {
+            return;
+        }
         if (names_.coordinates && isCoordinate(name)) {
             emit(name == "x" ? ExpressionOp::PushX : ExpressionOp::PushY);
         } else if (!emitConstant(name) && !emitValue(name)) {
             fail("unknown name '" + std::string(name) + "'; expected " + (names_.coordinates ? "x, y, " : "") +
-                 (names_.values != nullptr ? "a parameter, " : "") + "pi, e or a function");
+                 (names_.values != nullptr ? "a parameter, " : "") + "pi, e or a function" +
+                 (names_.functions != nullptr ? ", also " + names_.functions->names() : ""));
             return;
         }
         at_ = end;
+    }
+    /// Parses the call of a function of the position, if the name before `end` is one and a parenthesis follows.
+    bool parsePlaneFunction(std::string_view name, std::size_t end) {
+        const std::size_t next = text_.find_first_not_of(" \t\n\r", end);
+        if (names_.functions == nullptr || next == std::string_view::npos || text_[next] != '(') {
+            return false;
+        }
+        const bool shore = name == "shore";
+        std::shared_ptr<const PlaneFunction> function = shore ? nullptr : names_.functions->find(name);
+        if (!shore && function == nullptr) {
+            return false;
+        }
+        at_ = next + 1;
+        parseChoice();
+        if (!take(",")) {
+            fail("missing ',': '" + std::string(name) + "' takes a place, such as " + std::string(name) + "(x, y)");
+        }
+        parseChoice();
+        const std::vector<std::string> parts = shore ? parseParts() : std::vector<std::string>();
+        if (!take(")")) {
+            fail(shore ? "missing ')'; the names of boundary parts are in quotes: shore(x, y, 'coast')"
+                       : "missing ')'");
+        }
+        if (!fault_ && shore) {
+            auto found = names_.functions->shore(parts);
+            if (const auto *const message = std::get_if<std::string>(&found)) {
+                fail(*message);
+            } else {
+                function = std::get<0>(found);
+            }
+        }
+        emit(ExpressionOp::Call, static_cast<double>(functions_.size()));
+        functions_.push_back(std::move(function));
+        return true;
+    }
+    /// Parses names in single quotes, with a comma before each.
+    std::vector<std::string> parseParts() {
+        std::vector<std::string> parts;
+        while (take(",")) {
+            const std::size_t close = take("'") ? text_.find('\'', at_) : std::string_view::npos;
+            if (close == std::string_view::npos) {
+                fail("expected the name of a boundary part in single quotes, such as 'coast'");
+                break;
+            }
+            parts.emplace_back(text_.substr(at_, close - at_));
+            at_ = close + 1;
+        }
+        return parts;
     }
     bool emitValue(std::string_view name) {
         if (names_.values == nullptr) {
@@ -360,13 +412,13 @@ class Parser {
     std::size_t at_ = 0;
     int nesting_ = 0;
     std::vector<ExpressionInstruction> code_;
+    std::vector<std::shared_ptr<const PlaneFunction>> functions_;
     std::optional<ExpressionFault> fault_;
 };
 
 } // namespace
 
-std::variant<std::vector<ExpressionInstruction>, ExpressionFault> parseExpression(std::string_view text,
-                                                                                  FormulaNames names) {
+std::variant<ParsedExpression, ExpressionFault> parseExpression(std::string_view text, FormulaNames names) {
     return Parser(text, names).run();
 }
 
@@ -385,6 +437,8 @@ std::vector<std::string_view> namesIn(std::string_view text) {
                 ++end;
             }
             names.push_back(text.substr(at, end - at));
+        } else if (text[at] == '\'' && text.find('\'', end) != std::string_view::npos) {
+            end = text.find('\'', end) + 1;
         } else if (isDigit(text[at]) || text[at] == '.') { // a letter after a digit is part of a number such as 2.e3
             while (end < text.size() && (isNameStart(text[end]) || isDigit(text[end]) || text[end] == '.')) {
                 ++end;

@@ -19,6 +19,7 @@ struct ScalarStep {
     double *&below;
     double constant;
     Vec2 p;
+    std::span<const std::shared_ptr<const PlaneFunction>> functions;
 
     template <class F>
     void push(F f) {
@@ -34,6 +35,10 @@ struct ScalarStep {
         --below;
         top = f(*below, top, p);
     }
+    void call() {
+        --below;
+        top = functions[static_cast<std::size_t>(constant)]->at({*below, top});
+    }
     void select() {
         below -= 2;
         top = below[0] != 0.0 ? below[1] : top;
@@ -47,6 +52,7 @@ struct BlockStep {
     Block *&top;
     double constant;
     std::span<const Vec2> points;
+    std::span<const std::shared_ptr<const PlaneFunction>> functions;
 
     template <class F>
     void push(F f) {
@@ -71,6 +77,13 @@ struct BlockStep {
             a[i] = f(a[i], b[i], points[i]);
         }
     }
+    void call() {
+        --top;
+        const PlaneFunction &function = *functions[static_cast<std::size_t>(constant)];
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            top[-1][i] = function.at({top[-1][i], top[0][i]});
+        }
+    }
     void select() {
         top -= 2;
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -81,12 +94,12 @@ struct BlockStep {
 
 double applyUnary(const ExpressionInstruction &instruction, double a) {
     double *below = nullptr;
-    dispatch(instruction.op, ScalarStep{a, below, instruction.constant, {}});
+    dispatch(instruction.op, ScalarStep{a, below, instruction.constant, {}, {}});
     return a;
 }
 double applyBinary(Op op, double a, double b) {
     double *below = &a + 1;
-    dispatch(op, ScalarStep{b, below, 0.0, {}});
+    dispatch(op, ScalarStep{b, below, 0.0, {}, {}});
     return b;
 }
 
@@ -145,7 +158,7 @@ class Optimiser {
                 addUnary(instruction);
                 break;
             case 2:
-                addBinary(instruction.op);
+                addBinary(instruction);
                 break;
             default:
                 begins_.resize(begins_.size() - 2);
@@ -202,13 +215,14 @@ class Optimiser {
         code_.insert(code_.end(), {{Op::Push, *a}, {Op::Push, *b}, {Op::Distance, 0.0}});
         return true;
     }
-    void addBinary(Op op) {
+    void addBinary(const ExpressionInstruction &instruction) {
+        const Op op = instruction.op;
         const std::size_t second = begins_.back();
         begins_.pop_back();
         const std::size_t first = begins_.back();
         const bool secondConstant = isConstant(second, code_.size());
         const bool firstConstant = isConstant(first, second);
-        if (firstConstant && secondConstant && op != Op::Distance) {
+        if (firstConstant && secondConstant && op != Op::Distance && op != Op::Call) {
             const double value = applyBinary(op, code_[first].constant, code_[second].constant);
             code_.resize(first);
             code_.push_back({Op::Push, value});
@@ -224,7 +238,7 @@ class Optimiser {
             code_.push_back({*form, constant});
             return;
         }
-        code_.push_back({op, 0.0});
+        code_.push_back(instruction);
     }
 
     std::vector<ExpressionInstruction> code_;
@@ -250,7 +264,9 @@ std::variant<ExpressionProgram, ExpressionFault> ExpressionProgram::compile(std:
         return std::move(*fault);
     }
     ExpressionProgram program;
-    program.code_ = Optimiser().run(std::get<0>(parsed));
+    auto &[code, functions] = std::get<ParsedExpression>(parsed);
+    program.code_ = Optimiser().run(code);
+    program.functions_ = std::move(functions);
     if (stackNeeded(program.code_) > kMaxDepth) {
         return ExpressionFault{0, "nested too deeply; expected at most " + std::to_string(kMaxDepth) +
                                       " intermediate values"};
@@ -263,7 +279,7 @@ double ExpressionProgram::evaluate(Vec2 p) const {
     double *below = stack.data();
     double top = 0.0;
     for (const ExpressionInstruction &instruction : code_) {
-        dispatch(instruction.op, ScalarStep{top, below, instruction.constant, p});
+        dispatch(instruction.op, ScalarStep{top, below, instruction.constant, p, functions_});
     }
     return top;
 }
@@ -275,7 +291,7 @@ void ExpressionProgram::evaluateMany(std::span<const Vec2> points, std::span<dou
         const auto part = points.subspan(begin, std::min(kBlock, points.size() - begin));
         Block *top = stack.data();
         for (const ExpressionInstruction &instruction : code_) {
-            dispatch(instruction.op, BlockStep{top, instruction.constant, part});
+            dispatch(instruction.op, BlockStep{top, instruction.constant, part, functions_});
         }
         std::copy_n(stack[0].begin(), part.size(), values.begin() + static_cast<std::ptrdiff_t>(begin));
     }

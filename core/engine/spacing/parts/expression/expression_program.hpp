@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/engine/base/vec2.hpp"
+#include "core/engine/spacing/parts/expression/plane_function.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +40,7 @@ enum class ExpressionOp : std::uint8_t {
     Arctangent2,
     Hypot,
     Distance, ///< of (x, y) from the point in the two topmost entries
+    Call,     ///< of the function with the index in the constant, at the point in the two topmost entries
     AddBy,
     SubtractBy,
     SubtractFrom, ///< constant − top
@@ -96,8 +99,9 @@ using NamedValues = std::map<std::string, double, std::less<>>;
 
 /// The names that a formula may use besides functions and constants.
 struct FormulaNames {
-    bool coordinates = true;             ///< x and y are allowed
-    const NamedValues *values = nullptr; ///< null: none
+    bool coordinates = true;                     ///< x and y are allowed
+    const NamedValues *values = nullptr;         ///< null: none
+    const FormulaFunctions *functions = nullptr; ///< functions of the position besides the usual ones; null: none
 };
 
 /// A formula in x and y as a short stack program. Immutable, so threads may share it, and evaluated without an indirect
@@ -119,9 +123,12 @@ class ExpressionProgram {
     ValueRange range(const Box2 &box) const;
 
     std::span<const ExpressionInstruction> instructions() const { return code_; }
+    /// Returns the functions of the position that the formula calls.
+    std::span<const std::shared_ptr<const PlaneFunction>> functions() const { return functions_; }
 
   private:
     std::vector<ExpressionInstruction> code_;
+    std::vector<std::shared_ptr<const PlaneFunction>> functions_;
 };
 
 } // namespace forefront

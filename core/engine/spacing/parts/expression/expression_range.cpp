@@ -142,6 +142,7 @@ struct UnaryOn {
     }
     template <class F>
     void binary(F) {}
+    void call() {}
     void select() {}
 };
 double applied(const ExpressionInstruction &instruction, double value) {
@@ -229,6 +230,12 @@ ValueRange ExpressionProgram::range(const Box2 &box) const {
                                  ? ValueRange{std::min(yes.low, no.low), std::max(yes.high, no.high), undefined}
                              : mayYes ? ValueRange{yes.low, yes.high, undefined}
                                       : ValueRange{no.low, no.high, undefined};
+        } else if (op == Op::Call) {
+            --top;
+            const ValueRange &x = stack[top - 1], &y = stack[top];
+            const auto &function = functions_[static_cast<std::size_t>(instruction.constant)];
+            const ValueRange values = function->range({{x.low, y.low}, {x.high, y.high}});
+            stack[top - 1] = {values.low, values.high, values.undefined || x.undefined || y.undefined};
         } else if (operandCount(op) == 2) {
             --top;
             stack[top - 1] = binaryRange(op, stack[top - 1], stack[top], box);

@@ -9,9 +9,14 @@ namespace forefront {
 
 Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, const Domain &domain,
                                                    const InsideTest *inside, const Box2 &box) {
-    auto program = compileExpression(*spec.expression, spec.names);
+    auto program = compileSpacingExpression(*spec.expression, spec, &domain);
     if (!program) {
         return program.faults();
+    }
+    for (const auto &function : program->functions()) {
+        if (Diagnostics faults = function->gaps(domain, inside); !faults.empty()) {
+            return faults;
+        }
     }
     ExpressionSpacing spacing;
     spacing.program_ = std::move(*program);

@@ -16,7 +16,7 @@ class ExpressionSpacing {
     /// Compiles `spec.expression` and evaluates it at the domain's nodes and at the points of a 65 x 65 grid over the
     /// box that are inside the domain; at all of them if `inside` is null, because the inside is unknown. Errors:
     /// expression-syntax; expression-value at the first place with NaN, a value <= 0 without a minimum, or infinity
-    /// without a maximum.
+    /// without a maximum; raster-gap where a raster that it calls has no value in or near the domain.
     static Result<ExpressionSpacing> build(const SpacingSpec &spec, const Domain &domain, const InsideTest *inside,
                                            const Box2 &box);
 
