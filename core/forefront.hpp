@@ -71,4 +71,3 @@
 #include "core/engine/spacing/spec/size_grid.hpp"
 #include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
-#include "core/files/hydro/water_check.hpp"

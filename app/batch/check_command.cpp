@@ -20,7 +20,6 @@
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/files/boundary_parts.hpp"
 #include "core/files/files.hpp"
-#include "core/files/hydro/water_check.hpp"
 #include "core/files/inner_edges.hpp"
 
 #include <algorithm>
@@ -49,7 +48,7 @@ Examples:
         how closely do its edges follow that spacing?
   forefront check plate.msh --min-angle 25 --max-growth 2
         is it within these limits? Lists the worst places if not
-  forefront check bay.msh --max-valence 8 --max-area-ratio 2 --min-across 3 --min-island-area 500
+  forefront check bay.msh --max-valence 8 --max-growth 2 --min-across 3 --min-island-area 500
         is it fit for a model of water? At most 8 elements about a node, neighbours of similar areas, 3 elements across
         each channel, no tiny islands
   forefront check plate.msh --stats plate.json
@@ -73,7 +72,6 @@ struct CheckArguments {
     std::optional<std::string> expression;
     std::vector<std::string> rasters, presets; ///< of --raster and --size-preset, which sets `expression`
     MeshLimits limits;
-    WaterLimits water;
     std::optional<std::filesystem::path> savedLimits; ///< project
     bool measures = false;                            ///< print the table
     std::optional<std::filesystem::path> statistics;  ///< "-": to standard output, which then receives nothing else
@@ -235,12 +233,7 @@ int reportQuality(const CheckArguments &arguments, const std::filesystem::path &
         }
     }
     const bool met = printVerdicts(file, verdicts, numbers, !arguments.printsStatistics());
-    Diagnostics water = checkWater(mesh, arguments.water, kListedPlaces, numbers);
-    for (Diagnostic &fault : water) {
-        fault.file = file.string();
-    }
-    printFaults(water);
-    return valid && met && !hasErrors(water) ? kDone : kRefused;
+    return valid && met ? kDone : kRefused;
 }
 
 int check(CheckArguments &arguments) {
@@ -322,16 +315,6 @@ int checkCommand(const CommandLine &line) {
             "use the limits saved in a project (those given here take precedence), and its spacing if a limit needs "
             "one and none is given")
         ->type_name("PROJECT");
-    limits
-        ->add_option("--max-area-ratio", arguments.water.areaRatio,
-                     "maximum ratio of the areas of elements that share a side, such as 2")
-        ->check(numberWithin(1.0, 1e12))
-        ->type_name("R");
-    limits
-        ->add_option("--min-island-area", arguments.water.islandArea,
-                     "minimum area of islands: holes of the mesh, in square domain units")
-        ->check(positiveNumber())
-        ->type_name("A");
     app.add_flag("--measures", arguments.measures, "print the distribution of each quality measure");
     app.add_option("--stats", arguments.statistics,
                    "write the verdict and the figures as JSON, with the names that mesh --stats has for them; -: print "

@@ -1,7 +1,7 @@
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/mesh/shoreline.hpp"
 #include "core/files/files.hpp"
 #include "core/files/hydro/hydro.hpp"
-#include "core/files/hydro/shoreline.hpp"
 #include "tests/unit/block_samples.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"

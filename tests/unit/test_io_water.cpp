@@ -1,6 +1,5 @@
 #include "core/files/files.hpp"
 #include "core/files/hydro/selafin.hpp"
-#include "core/files/hydro/water_check.hpp"
 #include "core/files/ugrid/classic_netcdf.hpp"
 #include "tests/unit/block_samples.hpp"
 #include "tests/unit/io_samples.hpp"
@@ -129,28 +128,4 @@ TEST_CASE("UGRID: the header tells where the values are") {
     const std::string mesh = waterText("ugrid", samples::mixedSample());
     CHECK(mesh.find("UGRID-1.0") != std::string::npos);
     CHECK(mesh.find("flag_meanings") != std::string::npos);
-}
-
-TEST_CASE("Water limits: areas of neighbours and islands, with places, the worst first") {
-    TriMesh mesh = samples::square(4, 4); // cells of area 1/16 in two triangles
-    std::erase_if(mesh.elements, [&](const Element &element) {
-        const Vec2 at = (1.0 / 3.0) *
-                        (mesh.nodes[index(element[0])] + mesh.nodes[index(element[1])] + mesh.nodes[index(element[2])]);
-        return at.x > 0.25 && at.x < 0.5 && at.y > 0.5 && at.y < 0.75;
-    });
-    REQUIRE(mesh.elements.size() == 30);
-    CHECK(checkWater(mesh, {}).empty());
-    CHECK(checkWater(mesh, {.areaRatio = 1.0, .islandArea = 1.0 / 16.0}).empty());
-    const Diagnostics island = checkWater(mesh, {.areaRatio = {}, .islandArea = 0.07});
-    REQUIRE(island.size() == 1);
-    CHECK(island.front().code == "small-island");
-    CHECK(distance(*island.front().at, {0.375, 0.625}) < 1e-12);
-    mesh.nodes[index(mesh.elements[0][0])] = {-0.5, -0.5}; // the corner, of two triangles or one
-    const Diagnostics ratios = checkWater(mesh, {.areaRatio = 1.5, .islandArea = {}}, 1);
-    REQUIRE(ratios.size() == 2);
-    CHECK(ratios[0].code == "area-ratio");
-    CHECK(ratios[0].message.find("ratio 3 violate the limit 1.5") != std::string::npos);
-    CHECK(ratios[0].at);
-    CHECK(ratios[1].severity == Severity::Note);
-    CHECK(ratios[1].message == "1 side more violates the limit");
 }

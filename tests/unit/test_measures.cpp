@@ -260,3 +260,28 @@ TEST_CASE("Limits: values outside their range are explained") {
     CHECK(limitFault(MeshLimit::MinLength, 0.0) == "expected a positive number, got 0");
     CHECK(limitFault(MeshLimit::MaxLength, INFINITY) == "expected a positive number, got inf");
 }
+
+TEST_CASE("Limits: an island counts once, at its first edge, and the measure colours all of its shore") {
+    TriMesh mesh = samples::square(4, 4); // cells of area 1/16 in two triangles
+    MeshLimits limits;
+    limits[MeshLimit::MinIslandArea] = 0.07;
+    CHECK(toString(checkLimits(mesh, limits, nullptr).front()) ==
+          "minimum island area 0.07: met: there are no islands");
+    std::erase_if(mesh.elements, [&](const Element &element) {
+        const Vec2 at = (1.0 / 3.0) *
+                        (mesh.nodes[index(element[0])] + mesh.nodes[index(element[1])] + mesh.nodes[index(element[2])]);
+        return at.x > 0.25 && at.x < 0.5 && at.y > 0.5 && at.y < 0.75;
+    });
+    REQUIRE(mesh.elements.size() == 30);
+    const LimitVerdict verdict = checkLimits(mesh, limits, nullptr).front();
+    CHECK(verdict.judged == 1);
+    CHECK(verdict.broken == 1);
+    CHECK(verdict.worst == doctest::Approx(1.0 / 16.0));
+    CHECK(toString(verdict).find("violated by 1 of 1 islands, worst 0.0625 at (") != std::string::npos);
+    CHECK(distance(verdict.places.front().at, {0.375, 0.625}) < 0.2);
+    const std::vector<double> areas = values(Measure::IslandArea, mesh);
+    CHECK(std::count_if(areas.begin(), areas.end(), [](double area) { return std::isnan(area); }) ==
+          static_cast<std::ptrdiff_t>(areas.size()) - 4);
+    limits[MeshLimit::MinIslandArea] = 1.0 / 16.0;
+    CHECK(checkLimits(mesh, limits, nullptr).front().met());
+}

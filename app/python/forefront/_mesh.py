@@ -84,7 +84,7 @@ class Mesh(_core.MeshBase):
 
         Of elements: 'alpha' (shape factor, 1 for an equilateral triangle), 'scaled-jacobian', 'min-angle' and
         'max-angle' (degrees), 'area', 'area-ratio', 'region', 'birth'. Of edges: 'length', 'size' and 'delta' (length
-        compared with the node spacing). Also 'across' and 'valence'.
+        compared with the node spacing). Also 'across', 'island-area' and 'valence'.
         """
         return super().quality(measure)
 

@@ -1,6 +1,7 @@
 #include "core/engine/mesh/limits.hpp"
 
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/mesh/islands.hpp"
 
 namespace forefront {
 
@@ -25,12 +26,23 @@ constexpr std::array<LimitInfo, wordsOf<MeshLimit>().size()> kLimitInfos = {{
      "Smallest number of elements allowed between facing parts of the boundary, interfaces and inner lines"},
     {"maximum valence", "maxValence", Measure::Valence, false, 3.0, 1000.0,
      "Largest number of elements allowed around a node"},
+    {"minimum island area", "minIslandArea", Measure::IslandArea, true, kTiny, kNoMaximum,
+     "Smallest area allowed of an island, a hole of the mesh, in square domain units"},
 }};
 
 bool breaks(const LimitInfo &info, double bound, double value) {
     constexpr double kRounding = 1e-9;
     const double slack = kRounding * std::abs(bound);
     return info.isMinimum ? value < bound - slack : value > bound + slack;
+}
+
+/// Returns for each edge the area of an island, but only at its first edge: an island counts once.
+std::vector<double> areaPerIsland(const MeshView &mesh, const MeshEdges &edges) {
+    std::vector<double> values(edges.edges.size(), std::numeric_limits<double>::quiet_NaN());
+    for (const MeshIsland &island : islandsOf(mesh, edges)) {
+        values[island.edges.front()] = island.area;
+    }
+    return values;
 }
 
 LimitVerdict verdictOf(MeshLimit limit, double bound, const MeshView &mesh, const MeshEdges &edges,
@@ -100,7 +112,9 @@ std::vector<LimitVerdict> checkLimits(const MeshView &mesh, const MeshEdges &edg
     std::vector<LimitVerdict> verdicts;
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
         if (const std::optional<double> bound = limits[limit]) {
-            const std::vector<double> values = measureValues(limitInfo(limit).measure, mesh, edges, spacing);
+            const std::vector<double> values = limit == MeshLimit::MinIslandArea
+                                                   ? areaPerIsland(mesh, edges)
+                                                   : measureValues(limitInfo(limit).measure, mesh, edges, spacing);
             verdicts.push_back(verdictOf(limit, *bound, mesh, edges, values, places));
         }
     }
@@ -116,15 +130,17 @@ std::string toString(const LimitVerdict &verdict) {
     const LimitInfo &info = limitInfo(verdict.limit);
     const std::string head = std::string(info.name) + ' ' + valueText(verdict.limit, verdict.bound) + ": ";
     if (verdict.judged == 0) {
-        return head + (verdict.limit == MeshLimit::MinDelta    ? "not checked: there is no spacing"
-                       : verdict.limit == MeshLimit::MinAcross ? "met: nothing faces across a gap"
-                                                               : "met: there is nothing to measure");
+        return head + (verdict.limit == MeshLimit::MinDelta        ? "not checked: there is no spacing"
+                       : verdict.limit == MeshLimit::MinAcross     ? "met: nothing faces across a gap"
+                       : verdict.limit == MeshLimit::MinIslandArea ? "met: there are no islands"
+                                                                   : "met: there is nothing to measure");
     }
     const std::string worst = "worst " + valueText(verdict.limit, verdict.worst);
     if (verdict.met()) {
         return head + "met, " + worst;
     }
-    const std::string parts = std::string(wordOf(infoOf(info.measure).part)) + 's';
+    const std::string parts =
+        verdict.limit == MeshLimit::MinIslandArea ? "islands" : std::string(wordOf(infoOf(info.measure).part)) + 's';
     std::string text = head + "violated by " + std::to_string(verdict.broken) + " of " +
                        std::to_string(verdict.judged) + ' ' + parts + ", " + worst;
     return verdict.places.empty() ? text : text + " at " + placeText(verdict.places.front().at);

@@ -27,16 +27,17 @@ enum class MeshLimit : std::uint8_t {
     MaxLength,
     MinDelta,
     MinAcross,
-    MaxValence
+    MaxValence,
+    MinIslandArea
 };
 
 /// The words are the options of the check command.
 template <>
 struct EnumWords<MeshLimit> {
-    static constexpr auto kLast = MeshLimit::MaxValence;
-    static constexpr std::array<std::string_view, 10> kList = {
-        "min-angle",  "max-angle",  "min-alpha", "min-scaled-jacobian", "max-growth",
-        "min-length", "max-length", "min-delta", "min-across",          "max-valence"};
+    static constexpr auto kLast = MeshLimit::MinIslandArea;
+    static constexpr std::array<std::string_view, 11> kList = {
+        "min-angle",  "max-angle", "min-alpha",  "min-scaled-jacobian", "max-growth",     "min-length",
+        "max-length", "min-delta", "min-across", "max-valence",         "min-island-area"};
 };
 
 /// The description of a limit.
@@ -87,7 +88,8 @@ struct LimitVerdict {
 };
 
 /// Checks a mesh against the limits that are set, in their order. A value within a relative 1e-9 of a limit meets it,
-/// so that rounding does not decide. Verdicts list at most `places` places. `spacing`: may be null.
+/// so that rounding does not decide. Verdicts list at most `places` places; an island is one part, at its first edge.
+/// `spacing`: may be null.
 std::vector<LimitVerdict> checkLimits(const MeshView &mesh, const MeshLimits &limits, const SpacingField *spacing,
                                       std::size_t places = 20);
 /// Checks as above, with the edges of the mesh already known.

@@ -2,6 +2,7 @@
 
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/elements_across.hpp"
+#include "core/engine/mesh/islands.hpp"
 #include "core/engine/mesh/placed_cell.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 
@@ -38,6 +39,8 @@ constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kMeasureInfos = {{
     {"Elements across", "across", "", MeshPart::Edges, BadEnd::Low, false, 1.0, kUnbounded,
      "Number of elements between facing parts of the boundary, interfaces and inner lines, counted through each edge "
      "halfway between them"},
+    {"Island area", "island", "", MeshPart::Edges, BadEnd::Low, true, 0.0, kUnbounded,
+     "Area of the island, a hole of the mesh, that each edge of the boundary belongs to"},
     {"Valence", "valence", "", MeshPart::Nodes, BadEnd::High, false, 0.0, kUnbounded,
      "Number of elements around each node; 6 triangles or 4 quadrilaterals are ideal for interior nodes"},
     {"Region", "region", "", MeshPart::Elements, BadEnd::None, false, 1.0, kUnbounded, "Region tag of each element"},
@@ -176,6 +179,15 @@ std::vector<double> measureValues(Measure measure, const MeshView &mesh, const M
     }
     case Measure::Across:
         return elementsAcross(mesh, edges);
+    case Measure::IslandArea: {
+        std::vector<double> values(edges.edges.size(), kNone);
+        for (const MeshIsland &island : islandsOf(mesh, edges)) {
+            for (const std::uint32_t edge : island.edges) {
+                values[edge] = island.area;
+            }
+        }
+        return values;
+    }
     case Measure::Valence:
         return valences(mesh);
     case Measure::Region:

@@ -40,6 +40,7 @@ enum class Measure : std::uint8_t {
     SizeRatio,
     Conformity,
     Across,
+    IslandArea,
     Valence,
     Region,
     Birth
@@ -48,9 +49,9 @@ enum class Measure : std::uint8_t {
 template <>
 struct EnumWords<Measure> {
     static constexpr auto kLast = Measure::Birth;
-    static constexpr std::array<std::string_view, 13> kList = {
-        "alpha", "scaled-jacobian", "min-angle", "max-angle", "area",   "area-ratio", "length",
-        "size",  "delta",           "across",    "valence",   "region", "birth"};
+    static constexpr std::array<std::string_view, 14> kList = {
+        "alpha", "scaled-jacobian", "min-angle", "max-angle",   "area",    "area-ratio", "length",
+        "size",  "delta",           "across",    "island-area", "valence", "region",     "birth"};
 };
 
 /// The end of a measure's range at which values are bad.

@@ -1,6 +1,6 @@
+#include "core/engine/mesh/shoreline.hpp"
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/hydro/hydro.hpp"
-#include "core/files/hydro/shoreline.hpp"
 
 #include <span>
 #include <vector>

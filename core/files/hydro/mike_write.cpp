@@ -1,5 +1,5 @@
+#include "core/engine/mesh/shoreline.hpp"
 #include "core/files/hydro/hydro.hpp"
-#include "core/files/hydro/shoreline.hpp"
 
 #include <algorithm>
 #include <cstddef>

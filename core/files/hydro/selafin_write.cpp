@@ -1,7 +1,7 @@
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/mesh/shoreline.hpp"
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/hydro/selafin.hpp"
-#include "core/files/hydro/shoreline.hpp"
 
 #include <bit>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/files/hydro/shoreline.hpp"
+#include "core/engine/mesh/shoreline.hpp"
 
 #include "core/engine/base/key_order.hpp"
 #include "core/engine/mesh/edge_table.hpp"
