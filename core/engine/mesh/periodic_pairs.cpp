@@ -1,6 +1,6 @@
 #include "core/engine/mesh/periodic_pairs.hpp"
 
-#include "core/engine/base/number_text.hpp"
+#include "core/engine/domain/domain.hpp"
 #include "core/engine/domain/image_nodes.hpp"
 
 #include <algorithm>
