@@ -1308,7 +1308,7 @@ class Refusing(Case):
         self.assertIsNone(checked["delta_area_mean"])
         del checked["delta_mean"], checked["delta_area_mean"]
         run = {"front_mean", "neighbours_mean", "considered_mean", "tests_mean", "cells_mean", "candidates_mean", "forced_mean", "improve",
-               "seconds_prepare", "seconds_mesh", "seconds_improve", "peak_bytes"}
+               "seconds_prepare", "seconds_mesh", "seconds_improve", "peak_bytes", "input"}
         self.assertEqual(set(given) - set(checked), run | {"delta_mean", "delta_area_mean"})
         self.assertEqual(checked, {key: given[key] for key in checked})
         for key in ("nodes", "regions", "boundaries", "alpha_min", "min_angle_deg", "hash"):
