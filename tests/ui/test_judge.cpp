@@ -328,6 +328,22 @@ TEST_CASE("Judge: limits can be edited in the checks panel, checked, undone and 
     CHECK_FALSE(driver.has("checks/min-angle/broken"));
 }
 
+TEST_CASE("Checks: the fix of a broken limit says what it changes, and is one undo step") {
+    MeshedSquare driver;
+    driver.showPanel("checks");
+    driver.fill("checks/max-length", "0.6");
+    REQUIRE(driver.has("checks/max-length/fix"));
+    driver.click("checks/max-length/fix");
+    CHECK(driver.document().spacing.maximum == doctest::Approx(0.54));
+    CHECK(driver.undoLabel() == "Fix maximum edge length");
+    driver.key(key::kF5);
+    driver.settle();
+    CHECK(driver.has("checks/max-length/kept"));
+    CHECK_FALSE(driver.has("checks/max-length/fix"));
+    driver.key('Z', {Modifiers::kControl});
+    CHECK_FALSE(driver.document().spacing.maximum.has_value());
+}
+
 TEST_CASE("Judge: setting a limit neither makes the mesh out of date nor meshes again") {
     JudgedSquare driver;
     const std::uint64_t made = driver.run().run;
