@@ -30,6 +30,8 @@ Examples:
         edges of length 0.5; Abaqus input and a drawing
   forefront mesh plate.poly -o plate.msh --format msh41 --spacing "max(0.05, 0.2*sqrt(x*x+y*y))"
         edges that grow with the distance to the origin; Gmsh MSH 4.1
+  forefront mesh plate.poly -o plate.msh --target-elements 5000
+        about 5000 triangles, graded as the automatic spacing is
   forefront mesh coast.svg -o coast.vtu --repair --stats coast.json
         splits crossing lines first; statistics as JSON
   forefront mesh lake.geojson -o lake.msh --spacing-file depth.png --picture-sizes 5:200
@@ -202,6 +204,13 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
         ->type_name("FILE");
     spacing->require_option(0, 1);
     addPictureOptions(app, arguments.pictureSizes, arguments.pictureBox);
+    app.add_option_function<double>(
+           "--target-elements",
+           [&arguments](double count) { arguments.targetElements = static_cast<std::uint64_t>(count); },
+           "scale all element sizes until the mesh has about this number of elements, within 5 %; a minimum size, "
+           "kept segments and curves may hold them, which is reported")
+        ->check(numberWithin(1.0, static_cast<double>(kMaxElements)))
+        ->type_name("N");
     app.add_option(
            "--gradation", arguments.gradation,
            "maximum change of edge length per unit of distance; default: 0.25 where sizes spread from the boundary, "

@@ -6,6 +6,7 @@
 #include "core/engine/mesher/options.hpp"
 #include "core/files/source/picture_sizes.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -31,6 +32,7 @@ struct MeshArguments {
     std::optional<std::filesystem::path> spacingFile;
     std::optional<PictureSizes> pictureSizes; ///< of a picture as spacing file, without its box
     std::optional<Box2> pictureBox;
+    std::optional<std::uint64_t> targetElements;
     std::optional<double> gradation;
     std::optional<double> segmentsPerTurn;
     std::optional<double> elementsAcross;

@@ -24,6 +24,8 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/pipeline/target_elements.hpp"
+#include "core/engine/spacing/scaled_sizes.hpp"
 #include "core/files/files.hpp"
 
 #include <algorithm>
@@ -217,6 +219,23 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
     return {};
 }
 
+/// Scales the sizes of a job until its mesh has a number of elements. Returns the errors or, if there are none, a
+/// warning if limits hold the sizes.
+Diagnostics scaleToTarget(std::uint64_t target, MeshingJob &job, const Progress &progress) {
+    const auto scaled = [&job](double factor) {
+        MeshingJob next = job;
+        next.spacing = scaledSizes(job.spacing, factor, job.domain);
+        next.shared = nullptr; // the field of other sizes
+        return next;
+    };
+    const Result<TargetSizes> sizes = sizesForElements(scaled, target, progress);
+    if (!sizes) {
+        return sizes.faults();
+    }
+    job = scaled(sizes->factor);
+    return missedTarget(*sizes, target, job);
+}
+
 /// Writes the meshes and the statistics, all of them or none. Returns the errors or, if there are none, notes on what
 /// the formats changed.
 Diagnostics writeResults(const MeshArguments &arguments, const Mesh &outcome, const RunReport &report,
@@ -342,6 +361,13 @@ int runMesh(const MeshArguments &arguments) {
         const bool mistyped = arguments.expression && hasCode(why, "expression-syntax");
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     };
+    if (arguments.targetElements) {
+        faults = bar.during({}, [&] { return scaleToTarget(*arguments.targetElements, *job, progress); });
+        if (hasErrors(faults)) {
+            return refuseRun(faults);
+        }
+        printFaults(faults);
+    }
     if (arguments.dryRun) {
         const Result<RunEstimate> estimate = bar.during({}, [&] { return estimateRun(*job, progress); });
         if (!estimate) {

@@ -197,6 +197,18 @@ class Meshing(Case):
         graded = self.stats("plate.poly", "--spacing", "0.02 + 0.9*max(0, x + y - 0.2)", "--gradation", "0.1")
         self.assertGreater(graded["elements"], 2 * steep["elements"])
 
+    def test_a_target_scales_the_sizes_until_the_mesh_has_that_number_of_elements(self):
+        for target, options in ((300, []), (3000, []), (900, ["--spacing", "0.02 + 0.4*x"]),
+                                (700, ["--size", "0.5", "--elements", "quads"])):
+            elements = self.stats("plate.poly", "--target-elements", str(target), *options)["elements"]
+            self.assertLess(abs(elements / target - 1), 0.05)
+        self.write("least.json", PROJECT.replace('"shapes"', '"spacing": {"minimum": 0.3}, "shapes"'))
+        self.assertIn("the minimum spacing 0.3", self.call("mesh", "least.json", "--stats", "-", "--target-elements",
+                                                           "50000").stderr)
+        self.assertIn("[bad-target]", self.call("mesh", "plate.poly", "--stats", "-", "--target-elements", "2000",
+                                                "--max-elements", "1000", code=1).stderr)
+        self.call("mesh", "plate.poly", "--stats", "-", "--target-elements", "0", code=2)
+
     def test_more_elements_than_the_limit_are_refused_with_a_size_that_fits(self):
         refusal = self.call("mesh", "plate.poly", "--size", "0.01", "--max-elements", "1e3", "--stats", "-", code=1)
         self.assertIn("[too-many-elements]", refusal.stderr)
@@ -1387,7 +1399,7 @@ class Refusing(Case):
                          ["minimum", "1%", "5%", "25%", "50%", "75%", "95%", "99%", "maximum", "mean"])
         table = {line[:22].strip(): [float(v) for v in line[22:].split()] for line in lines[head + 1:]}
         self.assertEqual(list(table), ["Shape factor", "Scaled Jacobian", "Minimum angle", "Maximum angle", "Area", "Area ratio",
-                                       "Edge length", "Elements across", "Valence"])
+                                       "Edge length", "Elements across", "Island area", "Valence"])
         for name, numbers in table.items():
             self.assertEqual(len(numbers), 10, name)
             self.assertEqual(sorted(numbers[:9]), numbers[:9], name)
@@ -1446,8 +1458,8 @@ class Refusing(Case):
 
     def test_options_that_exclude_each_other_are_named(self):
         both = self.call("mesh", "plate.poly", "-o", "a.msh", "--size", "1", "--spacing", "x", code=2).stderr
-        self.assertEqual(both.splitlines()[0], "forefront mesh: only one of --size, --spacing, --spacing-file can be "
-                         "given, got --size, --spacing")
+        self.assertEqual(both.splitlines()[0], "forefront mesh: only one of --size, --spacing, --size-preset, --spacing-file can "
+                         "be given, got --size, --spacing")
         neither = self.call("adapt", "plate.msh", "--error", "0.1", "-o", "a.msh", code=2).stderr
         self.assertEqual(neither.splitlines()[0],
                          "forefront adapt: missing option; add one of --field, --expression")

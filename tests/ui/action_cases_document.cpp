@@ -37,6 +37,7 @@ std::vector<ActionCase> fileCases() {
             {"file.exportPicture", drawMesh, [](D &d, const B &) { return dialogIs(d, "export"); }},
             {"file.exportMoment", drawMesh, [](D &d, const B &) { return dialogIs(d, "moment"); }},
             {"file.exportFilm", drawMesh, [](D &d, const B &) { return dialogIs(d, "film"); }},
+            {"file.recordScript", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "recordscript"); }},
             {"file.quit", [](D &) {}, [](D &d, const B &) { return d.context().quit; }}};
 }
 

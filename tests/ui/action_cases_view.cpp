@@ -32,15 +32,6 @@ std::vector<ActionCase> cameraCases() {
                  return !d.context().view.camera.visible().contains({9, 8});
              }},
             {"view.present", drawMesh, [](D &d, const B &) { return d.has("presentation/1") && !d.has("menu/File"); }},
-            {"view.leavePresentation",
-             [](D &d) {
-                 drawMesh(d);
-                 d.key('V');
-                 d.key(key::kEscape); // which first belongs to the tool and the selection
-                 d.key(key::kF11);
-                 d.settle();
-             },
-             [](D &d, const B &) { return !d.has("presentation/1") && d.has("menu/File"); }},
             {"view.follow", drawMesh, [](D &d, const B &) { return d.context().view.following; }},
             {"view.firstFault",
              [](D &d) {

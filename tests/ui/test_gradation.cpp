@@ -3,12 +3,15 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <string>
+
 namespace forefront::test {
 
 namespace {
 
-Pixel knobAt(Draughtsman &driver, double t) {
-    const PixelRect rect = driver.context().widgets.find("spacing/gradation/slider")->rect;
+Pixel knobAt(Draughtsman &driver, double t, const char *slider = "spacing/gradation/slider") {
+    const PixelRect rect = driver.context().widgets.find(slider)->rect;
     return {rect.x + 6.0 + t * (rect.width - 12.0), rect.y + 0.5 * rect.height};
 }
 
@@ -76,6 +79,80 @@ TEST_CASE("Gradation: Esc takes back a drag of the slider") {
     driver.frames(3);
     CHECK_FALSE(driver.document().spacing.gradation.has_value());
     CHECK(driver.undoLabel() == "Draw rectangle");
+}
+
+namespace {
+
+/// Draws a square, and shows the Spacing panel with a live mesh.
+void drawMeshedSquare(Draughtsman &driver) {
+    driver.rectangle({1, 1}, {9, 9});
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.showPanel("spacing");
+    driver.context().settings.live = true;
+    driver.settle();
+}
+
+std::size_t liveElements(Draughtsman &driver) {
+    driver.settle();
+    REQUIRE(driver.run().mesh != nullptr);
+    return driver.run().mesh->mesh.elements.size();
+}
+
+} // namespace
+
+TEST_CASE("Target: a typed number of elements scales the sizes in one undo step, finer and coarser") {
+    Draughtsman driver;
+    drawMeshedSquare(driver);
+    const std::string before = driver.undoLabel();
+    for (const double target : {900.0, 300.0, 2500.0}) {
+        driver.fill("spacing/target", std::to_string(static_cast<int>(target)));
+        CHECK(static_cast<double>(liveElements(driver)) == doctest::Approx(target).epsilon(0.05));
+        CHECK(driver.undoLabel() == "Set number of elements");
+    }
+    for (int step = 0; step < 3; ++step) {
+        driver.key('Z', {Modifiers::kControl});
+    }
+    CHECK(driver.undoLabel() == before);
+}
+
+TEST_CASE("Target: a minimum size is kept, and what holds the sizes is said") {
+    Draughtsman driver;
+    drawMeshedSquare(driver);
+    driver.fill("spacing/minimum", "0.5");
+    driver.fill("spacing/target", "5000");
+    driver.settle();
+    CHECK(driver.document().spacing.minimum == 0.5);
+    CHECK(driver.logHas("missed-target"));
+    driver.fill("spacing/target", "0.2");
+    CHECK(driver.context().fieldFault.field == "spacing/target");
+}
+
+TEST_CASE("Target: a drag scales the sizes by the estimate, then by meshing, in one undo step; Esc takes it back") {
+    Draughtsman driver;
+    drawMeshedSquare(driver);
+    constexpr const char *kSlider = "spacing/target/slider";
+    const std::string before = driver.undoLabel();
+    driver.press(knobAt(driver, 0.4, kSlider));
+    driver.moveTo(knobAt(driver, 0.3, kSlider));
+    const std::size_t fewer = liveElements(driver);
+    driver.moveTo(knobAt(driver, 0.2, kSlider));
+    CHECK(liveElements(driver) < fewer);
+    driver.release(knobAt(driver, 0.2, kSlider));
+    const double target = 100.0 * std::pow(1.0e4, 0.2);
+    CHECK(static_cast<double>(liveElements(driver)) == doctest::Approx(target).epsilon(0.2)); // a pixel is 10 %
+    CHECK_FALSE(driver.logHas("missed-target"));
+    CHECK(driver.undoLabel() == "Set number of elements");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.undoLabel() == before);
+    driver.press(knobAt(driver, 0.5, kSlider));
+    driver.moveTo(knobAt(driver, 0.2, kSlider));
+    driver.frames(3);
+    CHECK(driver.undoLabel() == "Set number of elements");
+    driver.key(key::kEscape);
+    driver.release(knobAt(driver, 0.2, kSlider));
+    driver.settle();
+    CHECK(driver.undoLabel() == before);
 }
 
 } // namespace forefront::test

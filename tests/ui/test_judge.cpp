@@ -160,8 +160,9 @@ TEST_CASE("Judge: elements, edges and nodes have the colours of their values") {
         driver.settle();
         const Judgement &judgement = driver.judgement();
         REQUIRE(judgement.of.measure == measure);
-        if (measure == Measure::Across) {
-            CHECK(judgement.summary.count == 0); // no parts of the square's boundary face each other
+        if (measure == Measure::Across || measure == Measure::IslandArea) {
+            CHECK(judgement.summary.count ==
+                  0); // no parts of the square's boundary face each other, and it has no hole
             continue;
         }
         REQUIRE(judgement.summary.count > 0);
@@ -326,6 +327,25 @@ TEST_CASE("Judge: limits can be edited in the checks panel, checked, undone and 
     driver.settle();
     CHECK_FALSE(driver.document().limits.any());
     CHECK_FALSE(driver.has("checks/min-angle/broken"));
+}
+
+TEST_CASE("Checks: the fix of a broken limit says what it changes, and is one undo step") {
+    MeshedSquare driver;
+    driver.showPanel("checks");
+    driver.fill("checks/max-length", "0.6");
+    REQUIRE(driver.has("checks/max-length/fix"));
+    driver.click("checks/max-length/fix");
+    CHECK(driver.document().spacing.maximum == doctest::Approx(0.54));
+    CHECK(driver.undoLabel() == "Fix maximum edge length");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK_FALSE(driver.document().spacing.maximum.has_value());
+    for (int round = 0; round < 3 && driver.has("checks/max-length/fix"); ++round) { // single edges are longer
+        driver.click("checks/max-length/fix");
+        driver.key(key::kF5);
+        driver.settle();
+    }
+    CHECK(driver.has("checks/max-length/kept"));
+    CHECK_FALSE(driver.has("checks/max-length/fix"));
 }
 
 TEST_CASE("Judge: setting a limit neither makes the mesh out of date nor meshes again") {

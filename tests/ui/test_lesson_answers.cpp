@@ -168,8 +168,8 @@ TEST_CASE("Lessons: the user's drawing comes back when the lesson is closed, and
     REQUIRE(driver.context().lessons.list.size() >= 2);
     openLesson(driver.context(), driver.context().lessons.list[0]);
     driver.settle();
-    if (driver.has("dialog/discard")) {
-        driver.click("dialog/discard");
+    if (driver.has("dialog/unsaved/discard")) {
+        driver.click("dialog/unsaved/discard");
         driver.settle();
     }
     REQUIRE(driver.context().lessons.open);

@@ -1,5 +1,11 @@
+#include "core/drawing/document/equality.hpp"
+#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/recovery/recovery_journal.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "core/drawing_files/script/script_player.hpp"
+#include "core/engine/base/hash.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/file_commands.hpp"
@@ -13,6 +19,7 @@
 #include <cmath>
 #include <fcntl.h>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <sys/file.h>
@@ -382,6 +389,48 @@ TEST_CASE("Names of documents: each new drawing has its own, also beside those t
     titled.load({}, {}, false, "Plate with a hole"); // as at the start of the program
     titled.load({}, {});
     CHECK(titled.title() == "Untitled");
+}
+
+TEST_CASE("Record script: what is drawn, sized, undone, meshed and exported is repeated with the same mesh") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.context().actions.run("file.recordScript", driver.context());
+    driver.settle();
+    driver.chooseFile("recordscript", place / "day.jsonl");
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('C');
+    driver.dragPlaces({5, 4.5}, {6, 4.5});
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.dragPlaces({5, 5.5}, {6, 5.5}); // moves the circle
+    driver.showPanel("spacing");
+    driver.fill("spacing/size", "0.2");
+    driver.key('Z', {Modifiers::kControl});
+    driver.fill("spacing/size", "0.7");
+    driver.key(key::kF5);
+    driver.settle();
+    REQUIRE(driver.run().mesh != nullptr);
+    const std::uint64_t hash = meshHash(driver.run().mesh->view());
+    driver.context().actions.run("file.recordScript", driver.context()); // stops
+    driver.settle();
+
+    std::ifstream file(place / "day.jsonl");
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    INFO(text);
+    CHECK(text.find(toHex(hash)) != std::string::npos);
+    const SourceText source{text, "day.jsonl", {}, {}};
+    const Result<Script> script = Script::read(source);
+    REQUIRE(script.ok());
+    ScriptPlayer player;
+    for (const ScriptCommand &command : script->commands()) {
+        if (editsDocument(command.word)) {
+            REQUIRE(player.play(command, source).empty());
+        }
+    }
+    CHECK(sameContent(player.document(), driver.document()));
+    const Result<MeshingOutcome> repeated = meshDomain(jobOf(player.document()));
+    REQUIRE(repeated.ok());
+    CHECK(meshHash(repeated->mesh) == hash);
 }
 
 } // namespace forefront::test

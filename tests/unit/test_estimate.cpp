@@ -1,5 +1,7 @@
 #include "core/engine/boundary/coverage_cell.hpp"
 #include "core/engine/boundary/estimate.hpp"
+#include "core/engine/pipeline/target_elements.hpp"
+#include "core/engine/spacing/scaled_sizes.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/support/spacing_samples.hpp"
@@ -7,7 +9,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <string>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -158,4 +162,80 @@ TEST_CASE("estimateElements: always a number from 1 to 1e18, for any spacing and
     const DiscreteDomain huge = asGiven(polygon({{0, 0}, {1e150, 0}, {1e150, 1e150}, {0, 1e150}}));
     CHECK(estimateElements(huge, constantSpacing(1e148)) == doctest::Approx(kPerArea * 1e4));
     CHECK(estimateElements(DiscreteDomain{}, constantSpacing(1.0)) == 1.0);
+}
+
+namespace target_elements_test {
+
+MeshingJob squareJob() {
+    MeshingJob job;
+    job.domain = polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    return job;
+}
+
+Result<TargetSizes> reach(const MeshingJob &job, std::uint64_t target) {
+    return sizesForElements(
+        [&](double factor) {
+            MeshingJob next = job;
+            next.spacing = scaledSizes(job.spacing, factor, job.domain);
+            return next;
+        },
+        target);
+}
+
+} // namespace target_elements_test
+
+TEST_CASE("sizesForElements: every kind of size leads to the target, finer and coarser") {
+    using namespace target_elements_test;
+    MeshingJob size = squareJob(), formula = squareJob(), source = squareJob(), part = squareJob();
+    size.spacing.size = 1.0;
+    formula.spacing.expression = "0.2 + 0.1*x";
+    source.spacing.sources = {{.a = {5, 5}, .size = 0.2}};
+    source.spacing.keepAutomatic = true;
+    part.spacing.partSizes = {{1, {0.3, 0.2}}};
+    for (const MeshingJob &job : {squareJob(), size, formula, source, part}) {
+        for (const std::uint64_t target : {400U, 1200U}) {
+            const Result<TargetSizes> sizes = reach(job, target);
+            REQUIRE(sizes.ok());
+            INFO(sizes->elements, " of ", target, " after ", sizes->meshes);
+            CHECK(sizes->reaches(target));
+            CHECK(sizes->meshes <= 8);
+            CHECK(missedTarget(*sizes, target, job).empty());
+        }
+    }
+}
+
+TEST_CASE("sizesForElements: limits hold, and are said") {
+    using namespace target_elements_test;
+    MeshingJob job = squareJob();
+    job.spacing.size = 1.0;
+    job.spacing.minimum = 0.9;
+    const Result<TargetSizes> sizes = reach(job, 5000);
+    REQUIRE(sizes.ok());
+    CHECK_FALSE(sizes->reaches(5000));
+    const Diagnostics missed = missedTarget(*sizes, 5000, job);
+    REQUIRE(missed.size() == 1);
+    CHECK(missed.front().advice.find("the minimum spacing 0.9") != std::string::npos);
+    job.options.maxElements = 100;
+    const Result<TargetSizes> tooMany = reach(job, 101);
+    REQUIRE_FALSE(tooMany.ok());
+    CHECK(tooMany.faults().front().code == "bad-target");
+}
+
+TEST_CASE("scaledSizes: limits and gradations stay; a factor takes up the next one") {
+    using namespace target_elements_test;
+    SpacingSpec spacing;
+    spacing.size = 2.0;
+    spacing.minimum = 0.5;
+    spacing.gradation = 0.3;
+    spacing.segmentsPerTurn = 20.0;
+    spacing.expression = "max(0.1, x)";
+    spacing.placed.regions = {{.at = {1, 1}, .maxArea = 3.0, .size = 1.0}};
+    const SpacingSpec half = scaledSizes(scaledSizes(spacing, 0.25, {}), 2.0, {});
+    CHECK(half.size == 1.0);
+    CHECK(half.minimum == 0.5);
+    CHECK(half.gradation == 0.3);
+    CHECK(half.segmentsPerTurn == 40.0);
+    CHECK(half.expression == "0.5*(max(0.1, x))");
+    CHECK(half.placed.regions.front().maxArea == 0.75);
+    CHECK(scaledExpression("2*(a)+(b)", 3.0) == "3*(2*(a)+(b))");
 }

@@ -1,4 +1,6 @@
+#include "core/drawing/commands/limit_fix.hpp"
 #include "core/drawing/commands/scale_document.hpp"
+#include "core/drawing/commands/scale_sizes.hpp"
 #include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/lost_formulas.hpp"
@@ -10,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,4 +89,57 @@ TEST_CASE("scaleDocument: removes the formulas that no longer fit") {
     others.formulas["spacing/size"_number] = "r";
     others.formulas["shape/1/y/0"_number] = "r + 6";
     CHECK(lostFormulas(document, others) == lost);
+}
+
+TEST_CASE("scaleSizes: sizes and their formulas take the factor; limits and numbers of elements stay") {
+    Shape circle;
+    circle.form = CircleForm{};
+    circle.nodes = {{10, 10}, {14, 10}};
+    circle.nodeSizes[1] = {2.0, 0.3};
+    Document document = *addShape({}, circle);
+    document = *setParameters(document, {{"d", "4"}});
+    document.spacing.size = 2.0;
+    document.spacing.minimum = 0.1;
+    document.spacing.maximum = 8.0;
+    document.regionMarkers = {{{12, 10}, 1, 8.0, 0.5, 0.3}};
+    document.elementCounts[1] = {7, 0.2};
+    document = setFormula(document, {NumberOwner::ofSpacing(), Quantity::Size, 0}, "d/2");
+    const Document scaled = scaleSizes(document, 0.5);
+    CHECK(scaled.spacing.size == 1.0);
+    CHECK(scaled.formulas.at({NumberOwner::ofSpacing(), Quantity::Size, 0}) == "0.5*(d/2)");
+    CHECK(scaled.spacing.minimum == 0.1);
+    CHECK(scaled.spacing.maximum == 8.0);
+    CHECK(scaled.shapes.front()->nodeSizes.at(1).size == 1.0);
+    CHECK(scaled.regionMarkers.front().size == 0.25);
+    CHECK(scaled.regionMarkers.front().maxArea == 2.0);
+    CHECK(scaled.elementCounts == document.elementCounts);
+}
+
+TEST_CASE("fixOf: a broken limit has a command that says what it changes, until its setting is at its end") {
+    Document document;
+    LimitVerdict growth{.limit = MeshLimit::MaxGrowth, .bound = 2.0, .judged = 100, .broken = 3, .worst = 2.6};
+    const std::optional<LimitFix> gentler = fixOf(document, growth);
+    REQUIRE(gentler);
+    CHECK(gentler->change == "gradation auto \xe2\x86\x92 0.16");
+    CHECK(gentler->document.spacing.gradation == 0.16);
+    document.spacing.gradation = 0.02;
+    CHECK_FALSE(fixOf(document, growth));
+    growth.broken = 0;
+    CHECK_FALSE(fixOf(Document(), growth));
+
+    const auto fixed = [](const Document &from, MeshLimit limit, double bound, double worst) {
+        return fixOf(from, {.limit = limit, .bound = bound, .judged = 9, .broken = 1, .worst = worst});
+    };
+    CHECK(fixed({}, MeshLimit::MinAcross, 3.5, 1.0)->document.spacing.elementsAcross == 4.0);
+    CHECK(fixed({}, MeshLimit::MinLength, 1.0, 0.5)->document.spacing.minimum == 1.2);
+    CHECK(fixed({}, MeshLimit::MaxLength, 1.0, 2.0)->document.spacing.maximum == 0.9);
+    CHECK(fixed({}, MeshLimit::MinAngle, 25.0, 20.0)->document.options.leastAngle == 25.0);
+    CHECK(fixed({}, MeshLimit::MaxAngle, 130.0, 140.0)->document.options.leastAngle == 25.0);
+    CHECK(fixed({}, MeshLimit::MinAlpha, 0.6, 0.5)->document.options.improve == ImproveLevel::Best);
+    Document best;
+    best.options.improve = ImproveLevel::Best;
+    CHECK_FALSE(fixed(best, MeshLimit::MaxValence, 7.0, 8.0));
+    Document bounded;
+    bounded.spacing.maximum = 1.0;
+    CHECK_FALSE(fixed(bounded, MeshLimit::MinLength, 1.0, 0.5)); // a minimum above the maximum
 }

@@ -89,7 +89,7 @@ void addOpenActions(ActionRegistry &actions) {
                  }});
 }
 
-/// Adds the actions that save, import and export, and that end the program.
+/// Adds the actions that save, import and export. addFileMenuEnd() adds the rest of the menu.
 void addFileActions(ActionRegistry &actions) {
     actions.add({.id = "file.save",
                  .menu = "File",
@@ -147,12 +147,6 @@ void addFileActions(ActionRegistry &actions) {
                  .title = "Export film\xe2\x80\xa6",
                  .run = exportFilm,
                  .enabled = hasShapes});
-    actions.add({.id = "file.quit",
-                 .menu = "File",
-                 .title = "Quit",
-                 .shortcuts = {{'Q', kControl}},
-                 .run = [](Shell &c) { afterUnsaved(c, [](Shell &d) { d.quit = true; }); },
-                 .separatorBefore = true});
 }
 
 /// Returns the tool whose input undo concerns: the active one, or one that keeps a path which it dropped; null if none.

@@ -2,14 +2,28 @@
 
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/base/progress.hpp"
+#include "core/engine/session/snapshot.hpp"
+#include "core/files/inner_edges.hpp"
 #include "ui/background/latest.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace forefront {
+
+/// A mesh that is written to a file.
+struct MeshExport {
+    std::shared_ptr<const MeshSnapshot> mesh;
+    std::filesystem::path file;
+    std::string format; ///< id
+    InnerEdges innerEdges = InnerEdges::Keep;
+    bool written = false; ///< the file is there
+};
 
 /// Writes a mesh on a separate thread and shows the progress. Cancel stops it and leaves no file.
 class WriteDialog final : public Dialog {
@@ -21,6 +35,10 @@ class WriteDialog final : public Dialog {
     const char *id() const override { return "writing"; }
     std::string title() const override { return "Writing"; }
     bool closesOnEscape() const override { return false; }
+    /// Names the export that the dialog writes, for whoever follows exports.
+    void describe(std::shared_ptr<const MeshExport> exported) { exported_ = std::move(exported); }
+    /// Returns the export that the dialog writes; null if it writes something else.
+    const std::shared_ptr<const MeshExport> &exported() const { return exported_; }
     bool draw(Shell &context) override;
 
   private:
@@ -33,6 +51,7 @@ class WriteDialog final : public Dialog {
 
     std::string file_;
     std::function<void(Shell &)> done_;
+    std::shared_ptr<const MeshExport> exported_;
     bool cancelled_ = false;
     Latest<Write, Written> worker_;
 };

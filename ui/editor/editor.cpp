@@ -93,6 +93,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     }
     c.panels = makePanels();
     addEditActions(c.actions);
+    addFileMenuEnd(c.actions, parts_->recording);
     shell::addShellActions(c.actions);
     applySettings(c);
     c.tools.current().activate(c);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/dialogs/recovery.hpp"
+#include "ui/dialogs/script_recording.hpp"
 #include "ui/editor/canvas_input.hpp"
 #include "ui/editor/editor.hpp"
 #include "ui/editor/imgui_bridge.hpp"
@@ -30,6 +31,7 @@ struct Editor::Parts {
     CanvasInput canvasInput;
     shell::StartPage startPage;
     FollowCamera follower;
+    ScriptRecording recording;
     std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
     Settings savedSettings;
     std::string shownTitle;

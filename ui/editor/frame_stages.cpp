@@ -65,6 +65,7 @@ void Editor::Parts::takeResults(bool cancels) {
     if (recovery) {
         recovery->follow(context);
     }
+    recording.follow(context);
     if (context.sides.follow(context.run, *context.document.current())) {
         context.animate();
     }

@@ -1,5 +1,6 @@
 #include "ui/panels/limits_list.hpp"
 
+#include "core/drawing/commands/limit_fix.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -10,7 +11,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace forefront {
 
@@ -54,6 +57,22 @@ void drawVerdict(Shell &context, const LimitVerdict &verdict, const std::string 
     }
 }
 
+/// Draws a link that changes the setting that a broken limit depends on, and says how.
+void drawFix(Shell &context, const LimitVerdict &verdict, const std::string &name) {
+    if (context.run.showsFile()) {
+        return; // the mesh does not come from the drawing
+    }
+    std::optional<LimitFix> fix = fixOf(*context.document.current(), verdict);
+    if (!fix) {
+        return;
+    }
+    ImGui::SetCursorPosX(context.px(20));
+    if (ui::link(context, name + "/fix", "Fix: " + fix->change)) {
+        context.applyCommand(std::move(fix->document), "Fix " + std::string(limitInfo(verdict.limit).name));
+    }
+    ui::tooltip(context, "Change this setting, and mesh again. Undo takes it back.");
+}
+
 void drawLimit(Shell &context, MeshLimit limit) {
     const LimitInfo &info = limitInfo(limit);
     const std::string name = std::string("checks/") + std::string(wordOf(limit));
@@ -72,6 +91,7 @@ void drawLimit(Shell &context, MeshLimit limit) {
     if (verdict != verdicts.end()) {
         ImGui::SameLine(context.px(kVerdict));
         drawVerdict(context, *verdict, name);
+        drawFix(context, *verdict, name);
     }
 }
 

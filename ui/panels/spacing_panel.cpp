@@ -4,6 +4,7 @@
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/gradation_row.hpp"
+#include "ui/panels/target_row.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -35,6 +36,7 @@ class SpacingPanel final : public Panel {
     void drawLimits(Shell &context);
 
     GradationRow gradation_;
+    TargetRow target_;
 };
 
 /// Returns the fault of the expression if the preview found one, else null.
@@ -295,6 +297,7 @@ void SpacingPanel::draw(Shell &context) {
     ui::rowTooltip(context, "Element size wherever nothing asks for smaller elements. Leave empty for automatic.");
     drawExpression(context);
     drawRasters(context);
+    target_.draw(context);
     drawSources(context);
     drawLimits(context);
     if (!spacing.paint.tiles.empty()) {

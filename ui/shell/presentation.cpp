@@ -92,6 +92,8 @@ void drawPresentedSteps(Shell &context, const PixelRect &rect) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(24));
     const bool leave =
         ui::iconButton(context, "presentation/leave", icon::kCross, "Leave the presentation (Esc)", false, true, 22.0F);
+    const bool idle = !context.run.busy() && !context.adaptation.busy() && !context.task.busy(); // else Esc cancels
+    const bool escapes = idle && !context.dialogs.any() && ImGui::IsKeyPressed(key::kEscape, false);
     const SessionSnapshot &run = context.run.now();
     const Moment moment = momentOf(run);
     const std::optional<Step> live = liveStep(run, moment);
@@ -108,7 +110,7 @@ void drawPresentedSteps(Shell &context, const PixelRect &rect) {
     }
     ImGui::PopStyleVar();
     ImGui::End();
-    if (leave) {
+    if (leave || escapes) {
         togglePresentation(context);
     }
 }

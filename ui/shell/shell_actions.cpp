@@ -73,13 +73,6 @@ void addInterfaceActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kF11, kNoModifiers}},
                  .run = shell::togglePresentation,
                  .checked = [](const Shell &c) { return c.presentedFrom.has_value(); }});
-    actions.add({.id = "view.leavePresentation",
-                 .title = "Leave the presentation",
-                 .shortcuts = {{key::kEscape, kNoModifiers}},
-                 .run = shell::togglePresentation,
-                 .enabled = [](const Shell &c) {
-                     return c.presentedFrom && !c.run.busy() && !c.adaptation.busy() && !c.task.busy();
-                 }});
     actions.add({.id = "view.panels",
                  .menu = "View",
                  .title = "Panels",

@@ -82,6 +82,12 @@ void ScriptRecorder::recordExport(const std::filesystem::path &file, const std::
     meshed_ = true;
 }
 
+void ScriptRecorder::recordSave(const std::filesystem::path &file) {
+    const bool meshed = meshed_;
+    write("{\"command\": \"save\", \"file\": " + jsonString(file.string()) + "}");
+    meshed_ = meshed;
+}
+
 void ScriptRecorder::write(const std::string &line) {
     text_ += line + '\n';
     ++commands_;

@@ -30,6 +30,9 @@ class ScriptRecorder {
     /// Records that the mesh of the current document was written to a file in a format of that id.
     void recordExport(const std::filesystem::path &file, const std::string &format, std::uint64_t hash);
 
+    /// Records that the current document was saved to a project file.
+    void recordSave(const std::filesystem::path &file);
+
     /// Returns the script so far, one command a line.
     const std::string &text() const { return text_; }
     /// Returns the number of commands so far.

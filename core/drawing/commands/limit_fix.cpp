@@ -1,0 +1,124 @@
+#include "core/drawing/commands/limit_fix.hpp"
+
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/refine/least_angle.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+constexpr double kDefaultGrowth = 0.25;    ///< gradation of most sizes where none is given
+constexpr double kGentlestFix = 0.02;      ///< gradation below which elements hardly grow at all
+constexpr double kMostAcross = 50.0;       ///< elements across narrow places
+constexpr double kMargin = 0.9;            ///< of a maximum size: single edges are longer than the spacing
+constexpr double kMinimumOverLength = 1.2; ///< single edges are shorter than the spacing
+
+double twoDigits(double value) {
+    const std::string text = numberText(value, 2);
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+std::string changeText(const char *what, const std::optional<double> &before, const char *none, double after) {
+    return std::string(what) + ' ' + (before ? numberText(*before, 6) : none) + " \xe2\x86\x92 " + numberText(after, 6);
+}
+
+std::optional<LimitFix> fixWith(Result<Document> next, std::string change) {
+    if (!next) {
+        return std::nullopt;
+    }
+    return LimitFix{std::move(change), *std::move(next)};
+}
+
+std::optional<LimitFix> fixGrowth(const Document &document, const LimitVerdict &verdict) {
+    const std::optional<double> given = document.spacing.gradation;
+    const double now = given.value_or(kDefaultGrowth);
+    if (now <= kGentlestFix) {
+        return std::nullopt;
+    }
+    const double factor = std::clamp((verdict.bound - 1.0) / (verdict.worst - 1.0), 0.4, 0.8);
+    const double next = std::max(kGentlestFix, twoDigits(factor * now));
+    return fixWith(setGradation(document, next), changeText("gradation", given, "auto", next));
+}
+
+std::optional<LimitFix> fixAcross(const Document &document, const LimitVerdict &verdict) {
+    const std::optional<double> given = document.spacing.elementsAcross;
+    const double wanted = std::ceil(verdict.bound);
+    const double next = given && *given >= wanted ? std::floor(*given) + 1.0 : wanted;
+    if (next > kMostAcross) {
+        return std::nullopt;
+    }
+    return fixWith(setElementsAcross(document, next), changeText("elements per gap", given, "auto", next));
+}
+
+/// A minimum size above the maximum is refused by the command, and so is no fix.
+std::optional<LimitFix> fixMinimumLength(const Document &document, const LimitVerdict &verdict) {
+    const std::optional<double> given = document.spacing.minimum;
+    const double next = twoDigits(kMinimumOverLength * verdict.bound);
+    if (given && *given >= next) {
+        return std::nullopt; // the outline has shorter segments
+    }
+    return fixWith(setLimits(document, next, document.spacing.maximum),
+                   changeText("minimum size", given, "none", next));
+}
+
+std::optional<LimitFix> fixMaximumLength(const Document &document, const LimitVerdict &verdict) {
+    const std::optional<double> given = document.spacing.maximum;
+    const double reach = given ? std::min(*given, *given * verdict.bound / verdict.worst) : verdict.bound;
+    const double next = twoDigits(kMargin * reach);
+    return fixWith(setLimits(document, document.spacing.minimum, next),
+                   changeText("maximum size", given, "none", next));
+}
+
+std::optional<LimitFix> fixByImproving(const Document &document) {
+    if (document.options.improve == ImproveLevel::Best) {
+        return std::nullopt;
+    }
+    Document next = document;
+    next.options.improve = ImproveLevel::Best;
+    return LimitFix{"improve " + std::string(wordOf(document.options.improve)) + " \xe2\x86\x92 best", std::move(next)};
+}
+
+/// `angle`: the least one that meets the limit, degrees. No triangle whose angles are at least that has one above
+/// 180 degrees minus twice of it.
+std::optional<LimitFix> fixAngle(const Document &document, double angle) {
+    const std::optional<double> given = document.options.leastAngle;
+    const bool possible = document.options.elements == Elements::Triangles && angle > 0.0 && angle <= kMaxLeastAngle;
+    if (!possible || (given && *given >= angle)) {
+        return fixByImproving(document);
+    }
+    Document next = document;
+    next.options.leastAngle = angle;
+    return LimitFix{changeText("least angle", given, "none", angle), std::move(next)};
+}
+
+} // namespace
+
+std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verdict) {
+    if (verdict.met() || verdict.broken == 0) {
+        return std::nullopt;
+    }
+    switch (verdict.limit) {
+    case MeshLimit::MaxGrowth:
+        return fixGrowth(document, verdict);
+    case MeshLimit::MinAcross:
+        return fixAcross(document, verdict);
+    case MeshLimit::MinLength:
+        return fixMinimumLength(document, verdict);
+    case MeshLimit::MaxLength:
+        return fixMaximumLength(document, verdict);
+    case MeshLimit::MinAngle:
+        return fixAngle(document, verdict.bound);
+    case MeshLimit::MaxAngle:
+        return fixAngle(document, 0.5 * (180.0 - verdict.bound));
+    default:
+        return fixByImproving(document);
+    }
+}
+
+} // namespace forefront
