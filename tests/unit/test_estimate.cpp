@@ -189,7 +189,7 @@ TEST_CASE("sizesForElements: every kind of size leads to the target, finer and c
     MeshingJob size = squareJob(), formula = squareJob(), source = squareJob(), part = squareJob();
     size.spacing.size = 1.0;
     formula.spacing.expression = "0.2 + 0.1*x";
-    source.spacing.sources = {{.a = {5, 5}, .size = 0.2}};
+    source.spacing.sources = {{.a = {5, 5}, .b = {}, .size = 0.2, .name = {}}};
     source.spacing.keepAutomatic = true;
     part.spacing.partSizes = {{1, {0.3, 0.2}}};
     for (const MeshingJob &job : {squareJob(), size, formula, source, part}) {

@@ -117,7 +117,8 @@ TEST_CASE("scaleSizes: sizes and their formulas take the factor; limits and numb
 
 TEST_CASE("fixOf: a broken limit has a command that says what it changes, until its setting is at its end") {
     Document document;
-    LimitVerdict growth{.limit = MeshLimit::MaxGrowth, .bound = 2.0, .judged = 100, .broken = 3, .worst = 2.6};
+    LimitVerdict growth{
+        .limit = MeshLimit::MaxGrowth, .bound = 2.0, .judged = 100, .broken = 3, .worst = 2.6, .places = {}};
     const std::optional<LimitFix> gentler = fixOf(document, growth);
     REQUIRE(gentler);
     CHECK(gentler->change == "gradation auto \xe2\x86\x92 0.16");
@@ -128,7 +129,7 @@ TEST_CASE("fixOf: a broken limit has a command that says what it changes, until 
     CHECK_FALSE(fixOf(Document(), growth));
 
     const auto fixed = [](const Document &from, MeshLimit limit, double bound, double worst) {
-        return fixOf(from, {.limit = limit, .bound = bound, .judged = 9, .broken = 1, .worst = worst});
+        return fixOf(from, {.limit = limit, .bound = bound, .judged = 9, .broken = 1, .worst = worst, .places = {}});
     };
     CHECK(fixed({}, MeshLimit::MinAcross, 3.5, 1.0)->document.spacing.elementsAcross == 4.0);
     CHECK(fixed({}, MeshLimit::MinLength, 1.0, 0.5)->document.spacing.minimum == 1.2);
