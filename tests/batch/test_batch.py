@@ -202,7 +202,7 @@ class Meshing(Case):
                                 (700, ["--size", "0.5", "--elements", "quads"])):
             elements = self.stats("plate.poly", "--target-elements", str(target), *options)["elements"]
             self.assertLess(abs(elements / target - 1), 0.05)
-        self.write("least.json", PROJECT.replace('"shapes"', '"spacing": {"minimum": 0.3}, "shapes"'))
+        self.write("least.json", PROJECT.replace('{"size": 0.3}', '{"size": 0.3, "minimum": 0.3}'))
         self.assertIn("the minimum spacing 0.3", self.call("mesh", "least.json", "--stats", "-", "--target-elements",
                                                            "50000").stderr)
         self.assertIn("[bad-target]", self.call("mesh", "plate.poly", "--stats", "-", "--target-elements", "2000",

@@ -235,6 +235,7 @@ std::vector<Shot> scenes() {
             {"import", action("file.import")},
             {"importspacing", action("file.importSpacing")},
             {"addraster", action("file.addRaster")},
+            {"recordscript", action("file.recordScript")},
             {"picture", action("file.addPicture")},
             {"openlesson", action("learn.openLesson")},
             {"importoptions", importBracket},

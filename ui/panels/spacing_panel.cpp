@@ -296,8 +296,6 @@ void SpacingPanel::draw(Shell &context) {
     }
     ui::rowTooltip(context, "Element size wherever nothing asks for smaller elements. Leave empty for automatic.");
     drawExpression(context);
-    drawRasters(context);
-    target_.draw(context);
     drawSources(context);
     drawLimits(context);
     if (!spacing.paint.tiles.empty()) {
@@ -316,6 +314,8 @@ void SpacingPanel::draw(Shell &context) {
         }
         ui::tooltip(context, ui::count(spacing.background->nodes.size()) + " nodes, each with a spacing");
     }
+    target_.draw(context);
+    drawRasters(context);
 }
 
 } // namespace

@@ -32,7 +32,7 @@ double rounded(double factor) {
 }
 
 /// A factor that was tried.
-struct Trial {
+struct TargetTrial {
     double x = 0.0; ///< logarithm of the factor
     double y = 0.0; ///< logarithm of the number of elements over the target
     bool known = false;
@@ -44,9 +44,9 @@ class FactorSearch {
     explicit FactorSearch(double x) : x_(x) {}
 
     double next() const { return x_; }
-    /// Takes note of a trial: `x` and `y` as in Trial. Returns false if no further factor can help.
+    /// Takes note of a trial: `x` and `y` as in TargetTrial. Returns false if no further factor can help.
     bool add(double x, double y) {
-        const Trial earlier = std::exchange(last_, {x, y, true});
+        const TargetTrial earlier = std::exchange(last_, {x, y, true});
         (y > 0.0 ? above_ : below_) = last_;
         ++trials_;
         if (below_.known && above_.known) {
@@ -77,8 +77,8 @@ class FactorSearch {
     }
 
     double x_;
-    Trial above_, below_; ///< the last one with too many elements, and with too few
-    Trial last_;
+    TargetTrial above_, below_; ///< the last one with too many elements, and with too few
+    TargetTrial last_;
     int trials_ = 0;
 };
 
