@@ -141,9 +141,11 @@ void SpacingPanel::drawRasters(Shell &context) {
             next.spacing.rasters.erase(name);
             context.document.apply(std::move(next), "Remove raster");
         }
-        ui::rowTooltip(context, name + "(x,y) is its value in the expression, " + name + "_x(x,y) and " + name +
-                                    "_y(x,y) its slopes; " + ui::count(raster->columns) + " x " +
-                                    ui::count(raster->rows) + " values");
+        ui::rowTooltip(context,
+                       ui::format("%s(x,y) is its value in the expression, %s_x(x,y) and %s_y(x,y) its slopes; "
+                                  "%s x %s values",
+                                  name.c_str(), name.c_str(), name.c_str(), ui::count(raster->columns).c_str(),
+                                  ui::count(raster->rows).c_str()));
     }
     form::label(context, "");
     if (ui::button(context, "spacing/addraster", "Add raster\xe2\x80\xa6")) {
