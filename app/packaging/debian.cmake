@@ -73,6 +73,22 @@ and C, the CMake package Forefront and the pkg-config files."
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libforefront${minor} ${same_version}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
+# The components that the program loads when a file needs them.
+set(recommended "")
+macro(debian_component NAME SUMMARY TEXT)
+  if(TARGET forefront_component_${NAME})
+    debian_package(${NAME} forefront-${NAME} science "${SUMMARY}" "${about}\n${TEXT}" forefront-${NAME})
+    string(TOUPPER ${NAME} upper)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "libforefront${minor} ${same_version} | forefront ${same_version}")
+    list(APPEND recommended forefront-${NAME})
+  endif()
+endmacro()
+debian_component(hdf5 "Planar finite element meshes in files of HDF5"
+                 "This package holds the component that reads and writes XDMF files.")
+debian_component(gdal "Planar finite element meshes of maps"
+                 "This package holds the component that reads Shapefiles, GeoPackages,\nKML, FlatGeobuf and GeoTIFF.")
+list(JOIN recommended ", " CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS)
+
 if(TARGET forefront_python)
   debian_package(
     python python3-forefront python "Planar finite element meshes from Python"
