@@ -184,7 +184,7 @@ void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const 
         if (ui::button(context, "inspector/topath", "To path")) {
             context.applyCommand(convertToPath(document, shape.id), "Convert to path");
         }
-        ui::tooltip(context, "Turn the shape into a path whose nodes and segments can be edited");
+        ui::tooltip(context, "Turn the shape into a path whose nodes and segments can be edited, and named one by one");
         ImGui::SameLine();
     } else if (!shape.is<PointForm>()) {
         const bool closed = isClosed(shape);
