@@ -69,5 +69,6 @@
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/meshing_session.hpp"
 #include "core/engine/spacing/spec/size_grid.hpp"
+#include "core/engine/spacing/spec/size_presets.hpp"
 #include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
