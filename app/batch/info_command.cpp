@@ -247,11 +247,12 @@ Diagnostics describe(const Input &input, const FileFormat &format, FileInfo &inf
         return mesh ? Diagnostics{} : mesh.faults();
     }
     if (!format.readsDomain) {
-        return allFormats().locateFaults(input.path,
-                                         error("no-content",
-                                               std::string(format.name) + " files hold neither a mesh nor a domain",
-                                               "use them as --spacing-file"),
-                                         input.options);
+        const std::string files = std::string(format.name) + " files ";
+        const Diagnostics fault =
+            format.readsSpacing
+                ? error("no-content", files + "hold neither a mesh nor a domain", "use them as --spacing-file")
+                : error("no-content", files + "are written, but cannot be read back");
+        return allFormats().locateFaults(input.path, fault, input.options);
     }
     if (format.kind == FileKind::Project) {
         const Result<Document> project = readDocument(input.path, input.options, &notes);

@@ -95,7 +95,7 @@ TEST_CASE("Elements: a number for one segment, for several and for a circle; eac
     clear(driver, "inspector/elements");
     CHECK(driver.document().shapes[1]->segmentSizes.empty());
     CHECK(driver.document().shapes[0]->segmentSizes.size() == 1);
-    CHECK(boundaryTags(driver.document()) == std::vector<std::int32_t>{1, 3}); // those of the shapes; counts make none
+    CHECK(boundaryTags(driver.document()) == std::vector<std::int32_t>{1, 2}); // those of the shapes; counts make none
 }
 
 TEST_CASE("Elements: a circle of a parameter keeps its number when the parameter changes, and after saving") {

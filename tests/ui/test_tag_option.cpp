@@ -52,8 +52,8 @@ TEST_CASE("Tags: a hole gets a tag of its own, until the user chooses one") {
     const auto shapes = driver.document().shapes;
     REQUIRE(shapes.size() == 5);
     CHECK(shapes[0]->tag == 1);
-    CHECK(shapes[1]->tag == 3);
-    CHECK(shapes[2]->tag == 4);
+    CHECK(shapes[1]->tag == 2);
+    CHECK(shapes[2]->tag == 3);
     CHECK(shapes[3]->tag == 1);
     CHECK(shapes[4]->tag == 7);
     driver.fill("options/tag", " "); // nothing chosen any more
@@ -62,6 +62,11 @@ TEST_CASE("Tags: a hole gets a tag of its own, until the user chooses one") {
     driver.fill("options/tag", "1"); // the number that the empty field shows
     driver.dragPlaces({4, 4}, {5, 5});
     CHECK(driver.document().shapes[6]->tag == 1);
+    driver.key('L');
+    driver.clickPlace({0.5, 6});
+    driver.clickPlace({3, 7});
+    driver.key(key::kEnter);
+    CHECK(driver.document().shapes[7]->tag == 9); // not that of the first hole
 }
 
 } // namespace forefront::test

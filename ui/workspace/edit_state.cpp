@@ -47,14 +47,23 @@ namespace {
 
 constexpr std::int32_t kBoundary = 1, kConstraint = 2; // tags of shapes drawn where nobody has chosen one
 
+/// Returns true if a part of a boundary, such as a hole, has the tag.
+bool isOfBoundary(const Document &document, std::int32_t tag) {
+    return std::any_of(document.shapes.begin(), document.shapes.end(), [tag](const auto &shape) {
+        const auto &tags = shape->segmentTags;
+        return shape->use == ShapeUse::Boundary &&
+               (tags.empty() ? shape->tag == tag : std::find(tags.begin(), tags.end(), tag) != tags.end());
+    });
+}
+
 } // namespace
 
 std::int32_t EditState::tagOfNext(ShapeUse use, const Document &document) const {
     const bool boundary = use == ShapeUse::Boundary;
     const std::optional<std::int32_t> &chosen = boundary ? boundaryTag : constraintTag;
     const std::int32_t usual = boundary ? kBoundary : kConstraint;
-    const bool special = document.boundaryNames.contains(usual) || document.elementCounts.contains(usual) ||
-                         document.spacing.partSizes.contains(usual);
+    const bool special = (!boundary && isOfBoundary(document, usual)) || document.boundaryNames.contains(usual) ||
+                         document.elementCounts.contains(usual) || document.spacing.partSizes.contains(usual);
     return chosen.value_or(special ? std::max(freeBoundaryTag(document), kConstraint + 1) : usual);
 }
 
@@ -66,8 +75,7 @@ std::int32_t EditState::tagOfDrawn(const Shape &shape, const Document &document)
                             return other->use == ShapeUse::Boundary && around.contains(box.min) &&
                                    around.contains(box.max) && contains(*other, box.centre());
                         });
-    return inside && !boundaryTag ? std::max(freeBoundaryTag(document), kConstraint + 1)
-                                  : tagOfNext(shape.use, document);
+    return inside && !boundaryTag ? freeBoundaryTag(document) : tagOfNext(shape.use, document);
 }
 
 void EditState::forgetNumbers() {

@@ -89,7 +89,7 @@ struct EditState {
     /// Returns the index of the current document; rebuilds it if the document has changed.
     const std::shared_ptr<const PickIndex> &index(const Workspace &context);
     /// Returns the tag of the next shape drawn: the one that the user has chosen, else 1 for boundaries and 2 for
-    /// constraints, or a free one where that part has a name, a size or a number of elements.
+    /// constraints, or a free one where that part has a name, a size or a number of elements, or 2 is a hole's.
     std::int32_t tagOfNext(ShapeUse use, const Document &document) const;
     /// Returns the tag of a shape that is drawn now: like tagOfNext(), but if the user has chosen none, a boundary that
     /// lies inside another, such as a hole, gets a tag of its own, so that it can be named alone.
