@@ -197,7 +197,7 @@ TEST_CASE("Elements: new shapes have no number, and the tag that shapes have") {
     CHECK(along(driver, {1, 0}) == 60);
     driver.context().document.apply(*setPartElements(driver.document(), 1, PartElements{40, 0.2}), "Number of a part");
     driver.rectangle({1, 1}, {2, 2});
-    CHECK(driver.document().shapes[2]->tag == 3); // does not join a part with a number; 2 is for constraints
+    CHECK(driver.document().shapes[2]->tag == 2); // does not join a part with a number
     driver.fill("options/tag", "1");              // chosen
     driver.rectangle({7, 7}, {8, 8});
     CHECK(driver.document().shapes[3]->tag == 1);
