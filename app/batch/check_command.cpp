@@ -96,7 +96,8 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
     SpacingSpec spec;
     spec.size = arguments.size;
     spec.expression = arguments.expression;
-    if (Diagnostics faults = addRasters(arguments.rasters, false, spec); !faults.empty()) {
+    if (Diagnostics faults = addRasters(arguments.rasters, arguments.drawing.projection, false, spec);
+        !faults.empty()) {
         return faults;
     }
     const Result<Domain> domain = domainOfMesh(mesh);

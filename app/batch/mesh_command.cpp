@@ -114,7 +114,8 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
                                : arguments.expression       ? "--spacing"
                                : file                       ? "--spacing-file"
                                                             : nullptr;
-    if (Diagnostics faults = addRasters(arguments.rasters, arguments.quiet, spacing); !faults.empty()) {
+    if (Diagnostics faults = addRasters(arguments.rasters, arguments.drawing.projection, arguments.quiet, spacing);
+        !faults.empty()) {
         return faults;
     }
     if (option != nullptr && !arguments.quiet) {

@@ -29,8 +29,8 @@ void addRasterOptions(CLI::App &app, CLI::App &group, std::vector<std::string> &
     app.add_option(
            "--raster", rasters,
            "a raster that the expression of the spacing calls by its name: with depth=sea.asc, depth(x,y) is its "
-           "bilinear value, depth_x(x,y) and depth_y(x,y) its slopes; an ESRI ASCII grid (.asc) with values in "
-           "the whole domain, up to 2 cells from it; repeatable")
+           "bilinear value, depth_x(x,y) and depth_y(x,y) its slopes; an ESRI ASCII grid (.asc) or a GeoTIFF "
+           "raster (.tif) with values in the whole domain, up to 2 cells from it; repeatable")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false);
     group
@@ -66,11 +66,14 @@ std::string checkRasters(const std::vector<std::string> &rasters, const std::vec
     return {};
 }
 
-Diagnostics addRasters(const std::vector<std::string> &rasters, bool quiet, SpacingSpec &spacing) {
+Diagnostics addRasters(const std::vector<std::string> &rasters, const std::string &projection, bool quiet,
+                       SpacingSpec &spacing) {
+    ImportOptions options;
+    options.projection = projection;
     for (const std::string &text : rasters) {
         const auto [name, file] = nameAndFile(text);
         ImportNotes notes;
-        Result<Raster> raster = readRaster(file, {}, &notes);
+        Result<Raster> raster = readRaster(file, options, &notes);
         if (!raster) {
             return raster.faults();
         }

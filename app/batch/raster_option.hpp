@@ -21,7 +21,8 @@ std::string checkRasters(const std::vector<std::string> &rasters, const std::vec
                          std::optional<std::string> &expression);
 
 /// Reads the files of --raster and adds them to a spacing; prints the notes of the files. A raster takes the place of
-/// one with the same name.
-Diagnostics addRasters(const std::vector<std::string> &rasters, bool quiet, SpacingSpec &spacing);
+/// one with the same name. `projection`: see ImportOptions.
+Diagnostics addRasters(const std::vector<std::string> &rasters, const std::string &projection, bool quiet,
+                       SpacingSpec &spacing);
 
 } // namespace forefront

@@ -37,7 +37,8 @@ script, or to the current folder if it is read from standard input.
   {"command": "add", "shapes": [{"kind": "rectangle", "nodes": [[0, 0], [4, 2]]}]}
   {"command": "move", "shapes": [1], "by": [1, 0]}               or "nodes": ["shape/1/node/0"]
   {"command": "constrain", "kind": "length", "parts": ["shape/1/segment/0"], "value": "2*r"}
-  {"command": "name", "boundary": 1, "name": "inlet"}            or "shape": 1, "segments": [...], "regionMarker": 0
+  {"command": "name", "boundary": 1, "name": "inlet"}            or "shape": 1, "regionMarker": 0, or
+                                                                 "segments": ["shape/1/segment/0"]
   {"command": "size", "size": 0.5}                               or "expression": "0.1+0.2*x"; "boundary": 1 with it
   {"command": "parameter", "name": "r", "expression": "0.4"}     null removes it
   {"command": "change", "remove": [2], "replace": [...], "members": {"options": {"method": "classic"}}}

@@ -13,8 +13,8 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Reads the values of an ESRI ASCII grid, which may have any sign. Faults as for a grid of sizes, see
-/// FormatList::readSpacing().
+/// Reads the values of an ESRI ASCII grid or a GeoTIFF raster, which may have any sign; ImportOptions::projection
+/// converts the latter. Faults as for a grid of sizes, see FormatList::readSpacing().
 Result<Raster> readRaster(const std::filesystem::path &path, const ImportOptions &options = {},
                           ImportNotes *notes = nullptr);
 

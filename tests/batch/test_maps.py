@@ -183,6 +183,9 @@ class Rasters(Case):
         for line in lines[2:2 + count]:
             _, x, _, depth = map(float, line.split())
             self.assertAlmostEqual(depth, 5.0 + 0.01 * (x - X), delta=0.2)
+        sized = self.call("mesh", "ll.gpkg", "--projection", "EPSG:3067", "--raster", "bed=ll.tif", "--spacing",
+                          "-4*bed(x,y)", "-o", "b.msh").stderr
+        self.assertNotIn("used as they are", sized)  # the coordinates were converted
 
     def test_what_a_raster_cannot_be(self):
         self.grid(lambda x, y: -1.0 if x > X + 100 else 2.0, "depth.asc")

@@ -86,7 +86,7 @@ void drawView(Workspace &context, FilmPlan &plan) {
     ui::rowLabel(context, "View", film_fields::kFields);
     bool part = plan.view.has_value();
     if (ui::checkbox(context, std::string(kName) + "view", "As on the canvas", part)) {
-        plan.view = part ? std::optional(context.view.camera.visible()) : std::nullopt;
+        plan.view = part ? std::optional(film_fields::canvasBox(context.view)) : std::nullopt;
     }
     ui::tooltip(context, "Show the part of the plane that the canvas shows; else the whole domain");
     ImGui::SameLine(0, context.px(14));

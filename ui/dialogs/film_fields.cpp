@@ -14,6 +14,12 @@ void number(Workspace &context, const std::string &field, double &value, double 
     }
 }
 
+Box2 canvasBox(const View &view) {
+    const PixelRect &room = view.room;
+    return boxOf(view.camera.toPlane({room.x, room.y}),
+                 view.camera.toPlane({room.x + room.width, room.y + room.height}));
+}
+
 void layers(Workspace &context, const std::string &prefix, FilmLayers &layers) {
     constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{"Mesh", "Boundary", "Front", "Candidates",
                                                                             "Grid", "Caption",  "Labels"};

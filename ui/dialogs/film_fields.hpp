@@ -3,6 +3,7 @@
 #include "core/teaching/film/film_scene.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
+#include "ui/workspace/view/view.hpp"
 
 #include <string>
 
@@ -22,6 +23,9 @@ void whole(Workspace &context, const std::string &field, Whole &value, double mi
         value = static_cast<Whole>(entered);
     }
 }
+
+/// Returns the part of the plane that the canvas shows clear of plates and legends.
+Box2 canvasBox(const View &view);
 
 /// Draws a row with a box for each layer, named "PREFIXlayer/WORD".
 void layers(Workspace &context, const std::string &prefix, FilmLayers &layers);

@@ -45,17 +45,10 @@ FilmLayers layersOnCanvas(Shell &context) {
     return layers;
 }
 
-/// Returns the room of the canvas in the plane.
-Box2 roomInPlane(const View &view) {
-    const PixelRect &room = view.room;
-    return boxOf(view.camera.toPlane({room.x, room.y}),
-                 view.camera.toPlane({room.x + room.width, room.y + room.height}));
-}
-
 Diagnostics writeMoment(Shell &context, const MomentSettings &settings, const std::filesystem::path &file) {
     const std::shared_ptr<const SessionSnapshot> moment = context.run.snapshot();
     FilmSheet sheet;
-    sheet.box = sheetBox(settings.asOnCanvas ? roomInPlane(context.view) : moment->mesh->mesh.bounds());
+    sheet.box = sheetBox(settings.asOnCanvas ? film_fields::canvasBox(context.view) : moment->mesh->mesh.bounds());
     sheet.width = settings.width;
     sheet.cut = settings.asOnCanvas;
     const auto write = [moment, sheet, layers = settings.layers, file](const Progress &) {

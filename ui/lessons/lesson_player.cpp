@@ -63,8 +63,8 @@ bool showsLessonDrawing(const Shell &context) {
 /// Keeps the user's drawing, if there is one, to bring it back after the lesson.
 void keepDrawing(Shell &context) {
     if (!showsLessonDrawing(context) && !context.document.current()->shapes.empty()) {
-        context.lessons.kept = {context.document.current(), context.document.path(), context.document.title(),
-                                context.document.dirty()};
+        const DocumentStore &store = context.document;
+        context.lessons.kept = {store.current(), store.path(), store.stamp(), store.title(), store.dirty()};
     }
 }
 
@@ -74,7 +74,8 @@ void restoreDrawing(Shell &context) {
     if (!kept || !showsLessonDrawing(context)) {
         return;
     }
-    context.document.load(*kept->document, kept->path, kept->dirty, kept->path.empty() ? kept->title : std::string());
+    context.document.load(*kept->document, kept->path, kept->dirty, kept->path.empty() ? kept->title : std::string(),
+                          kept->stamp);
     context.run.clear();
     context.examiner.abandon();
     context.selection.clear();

@@ -1,4 +1,6 @@
 #include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/spacing/parts/expression/expression.hpp"
 #include "core/engine/spacing/spec/size_presets.hpp"
 #include "ui/panels/edit_panels.hpp"
@@ -106,10 +108,22 @@ void SpacingPanel::drawExpression(Shell &context) {
     }
 }
 
-/// Opens the menu of rules that write the expression, with figures to edit; two of them need a raster of depths.
+/// Returns the key and value of a rule for the first raster: depths, or elevations, of which most are negative.
+std::string depthKey(const RasterMap &rasters) {
+    const auto &[name, raster] = *rasters.begin();
+    const auto below = std::count_if(raster->values.begin(), raster->values.end(), [](double v) { return v < 0.0; });
+    const auto above = std::count_if(raster->values.begin(), raster->values.end(), [](double v) { return v > 0.0; });
+    return (below > above ? "elevation=" : "depth=") + name;
+}
+
+/// Opens the menu of rules that write the expression, with figures by the extent of the drawing, to be edited; two of
+/// them need a raster of depths.
 void openPresets(Shell &context) {
-    const RasterMap &rasters = context.document.current()->spacing.rasters;
-    const std::string depth = rasters.empty() ? std::string() : rasters.begin()->first;
+    constexpr double kSmall = 1.0 / 400.0, kLarge = 1.0 / 20.0; // sizes over the diagonal of the drawing
+    const Document &document = *context.document.current();
+    const double diagonal = boundsOf(document).diagonal();
+    const std::string small = exactText(EditState::twoDigits(kSmall * diagonal)),
+                      large = exactText(EditState::twoDigits(kLarge * diagonal));
     const auto command = [](const char *id, const char *title, std::string rule) {
         return commandOf(id, title, [rule = std::move(rule)](Shell &c) {
             const Result<std::string> text = presetExpression(std::span(&rule, 1));
@@ -119,13 +133,16 @@ void openPresets(Shell &context) {
         });
     };
     ContextGroup group;
-    if (!depth.empty()) {
+    if (!document.spacing.rasters.empty() && diagonal > 0.0) {
+        const std::string depth = depthKey(document.spacing.rasters);
         group.push_back(command("wavelength", "Elements per wavelength",
-                                "wavelength:depth=" + depth + ",period=44714,elements=200,min=50"));
+                                "wavelength:" + depth + ",period=44714,elements=200,min=" + small)); // of the tide M2
         group.push_back(
-            command("slope", "Slope of the sea bed", "slope:depth=" + depth + ",elements=20,min=50,max=5000"));
+            command("slope", "Slope of the sea bed", "slope:" + depth + ",elements=20,min=" + small + ",max=" + large));
     }
-    group.push_back(command("shore", "Distance to the shore", "shore:size=50,growth=0.15"));
+    if (diagonal > 0.0) {
+        group.push_back(command("shore", "Distance to the shore", "shore:size=" + small + ",growth=0.15"));
+    }
     group.push_back(commandOf("channels", "Width of channels", [](Shell &c) {
         c.applyCommand(setElementsAcross(*c.document.current(), 4.0), "Change elements per gap");
     }));

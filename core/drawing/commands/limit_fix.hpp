@@ -16,8 +16,8 @@ struct LimitFix {
 
 /// Returns a command for a violated limit: a gentler gradation for growth, elements across narrow places, bounds of the
 /// size for lengths, a least angle for angles of triangles, the best improvement for the rest. Nothing if the limit is
-/// met, or the setting that helps is already at its end. The outline may force a part of the violations: the next mesh
-/// shows what is left.
+/// met, the setting that helps is already at its end, or the limit is one of islands, which are drawn. The outline may
+/// force a part of the violations: the next mesh shows what is left.
 std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verdict);
 
 } // namespace forefront

@@ -25,6 +25,9 @@ void passOn(const ImportNotes &notes, const GdalMap &map, const SourceText &sour
         return;
     }
     for (const ImportNote &note : notes.entries()) {
+        if (note.code == "crs" && !source.options.projection.empty()) {
+            continue; // the text is in the system that was asked for
+        }
         source.notes->add(note.code, note.message, source.name, source.text, 0, note.count, note.severity);
     }
     DrawingContents contents = notes.contents();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/session/snapshot.hpp"
+#include "core/files/source/file_stamp.hpp"
 #include "core/teaching/lesson/lesson.hpp"
 #include "ui/workspace/view/view.hpp"
 #include "ui/workspace/view/workspaces.hpp"
@@ -55,6 +56,7 @@ struct OpenLesson {
 struct KeptDrawing {
     std::shared_ptr<const Document> document;
     std::filesystem::path path; ///< empty: it has no file
+    FileStamp stamp;            ///< of the file
     std::string title;
     bool dirty = false;
 };
