@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "ui/workspace/workspace.hpp"
+
 namespace forefront::film_fields {
 
 void number(Workspace &context, const std::string &field, double &value, double minimum, double maximum) {
