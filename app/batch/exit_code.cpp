@@ -59,10 +59,6 @@ void printFaults(const Diagnostics &faults) {
     }
 }
 
-bool hasCode(const Diagnostics &faults, std::string_view code) {
-    return std::any_of(faults.begin(), faults.end(), [code](const Diagnostic &d) { return d.code == code; });
-}
-
 Diagnostics locateInDomain(Diagnostics faults, const Input &input, const Repaired *repaired) {
     Diagnostics ofDomain;
     std::vector<std::size_t> position;

@@ -4,8 +4,6 @@
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/domain/domain.hpp"
 
-#include <string_view>
-
 namespace forefront {
 
 struct Repaired;
@@ -20,9 +18,6 @@ enum ExitCode : int {
 
 /// Prints faults to stderr, one per line. Advice to repair the domain also names the command-line options for that.
 void printFaults(const Diagnostics &faults);
-
-/// Returns true if one of the faults has that code.
-bool hasCode(const Diagnostics &faults, std::string_view code);
 
 /// Returns why a domain was not meshed, or why a mesh does not fit it: the domain's own faults if it has any, with the
 /// name of its file and their positions in it; otherwise `faults`. `repaired` is the repair that produced the domain,

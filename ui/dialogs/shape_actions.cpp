@@ -9,6 +9,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "ui/dialogs/clipboard_actions.hpp"
 #include "ui/dialogs/combine_action.hpp"
 #include "ui/dialogs/constraint_actions.hpp"
@@ -33,10 +34,9 @@ using Kind = OperationField::Kind;
 Vec2 stepBeside(const Shell &context) {
     const Vec2 size = boundsOf(*context.document.current(), context.selection).size();
     if (size.x > 1e-9 * size.y) {
-        return {EditState::twoDigits(1.25 * size.x), 0.0};
+        return {roundedTo(1.25 * size.x, 2), 0.0};
     }
-    return size.y > 0.0 ? Vec2{0.0, EditState::twoDigits(1.25 * size.y)}
-                        : Vec2{2.0 * EditState::gridStep(context), 0.0};
+    return size.y > 0.0 ? Vec2{0.0, roundedTo(1.25 * size.y, 2)} : Vec2{2.0 * EditState::gridStep(context), 0.0};
 }
 
 Operation transformOperation() {
@@ -122,7 +122,7 @@ Operation lengthOperation(const Shell &context, const char *id, const char *titl
     Operation operation;
     operation.id = id;
     operation.title = title;
-    operation.fields = {{.id = "size", .label = label, .value = EditState::twoDigits(0.05 * size), .tooltip = tooltip}};
+    operation.fields = {{.id = "size", .label = label, .value = roundedTo(0.05 * size, 2), .tooltip = tooltip}};
     return operation;
 }
 

@@ -1,6 +1,7 @@
 #include "ui/panels/gradation_row.hpp"
 
 #include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -28,7 +29,7 @@ std::string prediction(const Shell &context) {
     if (!(predicted >= 1.0)) {
         return {};
     }
-    return ui::count(static_cast<std::size_t>(EditState::twoDigits(predicted))) + " \xe2\x96\xb3";
+    return ui::count(static_cast<std::size_t>(roundedTo(predicted, 2))) + " \xe2\x96\xb3";
 }
 
 } // namespace
@@ -57,7 +58,7 @@ void GradationRow::drawSlider(Shell &context) {
                                       std::max(24.0F, width), kPrediction);
     ui::tooltip(context, "Predicted number of elements. Drag the slider: the node spacing and the live mesh follow.");
     drag_.follow(context, moved, [&](const char *stroke) {
-        const double gradation = EditState::twoDigits(kGentlest * std::pow(kSteepest / kGentlest, knob));
+        const double gradation = roundedTo(kGentlest * std::pow(kSteepest / kGentlest, knob), 2);
         if (given == gradation) {
             return false;
         }

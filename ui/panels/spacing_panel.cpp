@@ -122,8 +122,8 @@ void openPresets(Shell &context) {
     constexpr double kSmall = 1.0 / 400.0, kLarge = 1.0 / 20.0; // sizes over the diagonal of the drawing
     const Document &document = *context.document.current();
     const double diagonal = boundsOf(document).diagonal();
-    const std::string small = exactText(EditState::twoDigits(kSmall * diagonal)),
-                      large = exactText(EditState::twoDigits(kLarge * diagonal));
+    const std::string small = exactText(roundedTo(kSmall * diagonal, 2)),
+                      large = exactText(roundedTo(kLarge * diagonal, 2));
     const auto command = [](const char *id, const char *title, std::string rule) {
         return commandOf(id, title, [rule = std::move(rule)](Shell &c) {
             const Result<std::string> text = presetExpression(std::span(&rule, 1));

@@ -2,6 +2,7 @@
 
 #include "core/drawing/commands/scale_sizes.hpp"
 #include "core/drawing/domain/document_domain.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/pipeline/target_elements.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
@@ -89,7 +90,7 @@ void TargetRow::draw(Shell &context) {
     constexpr float kField = 74.0F;
     std::optional<double> typed;
     const double predicted = context.preview->estimatedElements;
-    const auto shown = base_ ? target_ : static_cast<std::uint64_t>(EditState::twoDigits(std::max(predicted, 0.0)));
+    const auto shown = base_ ? target_ : static_cast<std::uint64_t>(roundedTo(std::max(predicted, 0.0), 2));
     const std::string hint = shown > 0 ? ui::count(shown) : "elements";
     if (form::optionalField(context, "spacing/target", typed, hint.c_str(), kField, {}) && typed &&
         ui::checkRange(context, "spacing/target", *typed, 1.0,
@@ -123,7 +124,7 @@ void TargetRow::followDrag(Shell &context, bool moved, double knob) {
             base_ = context.document.current();
             baseEstimate_ = context.preview->estimatedElements;
         }
-        const double wanted = EditState::twoDigits(kFewest * std::pow(kMost / kFewest, knob));
+        const double wanted = roundedTo(kFewest * std::pow(kMost / kFewest, knob), 2);
         const auto target = static_cast<std::uint64_t>(std::llround(wanted));
         if (target == target_) {
             return false;

@@ -163,12 +163,4 @@ void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
                 "hides it.");
 }
 
-double EditState::twoDigits(double value) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
-        return value;
-    }
-    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-    return std::round(value / unit) * unit;
-}
-
 } // namespace forefront

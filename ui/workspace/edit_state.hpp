@@ -110,8 +110,6 @@ struct EditState {
     static double gridStep(const Workspace &context);
     /// Returns a snap query with the current options; `angle` and `off` come from the modifiers of the event.
     SnapQuery query(const Workspace &context, Vec2 place, bool angle, bool off) const;
-    /// Rounds a suggested number to two significant digits.
-    static double twoDigits(double value);
     /// Draws the snapping switches in the options strip.
     void drawSnapOptions(Workspace &context, ui::Flow &flow);
 

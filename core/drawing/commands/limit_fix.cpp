@@ -5,7 +5,6 @@
 #include "core/engine/refine/least_angle.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -17,12 +16,6 @@ constexpr double kGentlestFix = 0.02;      ///< gradation below which elements h
 constexpr double kMostAcross = 50.0;       ///< elements across narrow places
 constexpr double kMargin = 0.9;            ///< of a maximum size: single edges are longer than the spacing
 constexpr double kMinimumOverLength = 1.2; ///< single edges are shorter than the spacing
-
-double twoDigits(double value) {
-    const std::string text = numberText(value, 2);
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-}
 
 std::string changeText(const char *what, const std::optional<double> &before, const char *none, double after) {
     return std::string(what) + ' ' + (before ? numberText(*before, 6) : none) + " \xe2\x86\x92 " + numberText(after, 6);
@@ -42,7 +35,7 @@ std::optional<LimitFix> fixGrowth(const Document &document, const LimitVerdict &
         return std::nullopt;
     }
     const double factor = std::clamp((verdict.bound - 1.0) / (verdict.worst - 1.0), 0.4, 0.8);
-    const double next = std::max(kGentlestFix, twoDigits(factor * now));
+    const double next = std::max(kGentlestFix, roundedTo(factor * now, 2));
     return fixWith(setGradation(document, next), changeText("gradation", given, "auto", next));
 }
 
@@ -59,7 +52,7 @@ std::optional<LimitFix> fixAcross(const Document &document, const LimitVerdict &
 /// A minimum size above the maximum is refused by the command, and so is no fix.
 std::optional<LimitFix> fixMinimumLength(const Document &document, const LimitVerdict &verdict) {
     const std::optional<double> given = document.spacing.minimum;
-    const double next = twoDigits(kMinimumOverLength * verdict.bound);
+    const double next = roundedTo(kMinimumOverLength * verdict.bound, 2);
     if (given && *given >= next) {
         return std::nullopt; // the outline has shorter segments
     }
@@ -70,7 +63,7 @@ std::optional<LimitFix> fixMinimumLength(const Document &document, const LimitVe
 std::optional<LimitFix> fixMaximumLength(const Document &document, const LimitVerdict &verdict) {
     const std::optional<double> given = document.spacing.maximum;
     const double reach = given ? std::min(*given, *given * verdict.bound / verdict.worst) : verdict.bound;
-    const double next = twoDigits(kMargin * reach);
+    const double next = roundedTo(kMargin * reach, 2);
     return fixWith(setLimits(document, document.spacing.minimum, next),
                    changeText("maximum size", given, "none", next));
 }

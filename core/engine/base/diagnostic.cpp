@@ -86,6 +86,10 @@ bool hasErrors(const Diagnostics &diagnostics) {
                        [](const Diagnostic &d) { return d.severity == Severity::Error; });
 }
 
+bool hasCode(const Diagnostics &diagnostics, std::string_view code) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(), [code](const Diagnostic &d) { return d.code == code; });
+}
+
 Diagnostics error(std::string code, std::string message, std::string advice) {
     Diagnostic diagnostic;
     diagnostic.code = std::move(code);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace FOREFRONT_API forefront {
@@ -64,6 +65,9 @@ std::string toString(const Diagnostic &diagnostic);
 
 /// Returns true if any entry is an error.
 bool hasErrors(const Diagnostics &diagnostics);
+
+/// Returns true if any entry has that code.
+bool hasCode(const Diagnostics &diagnostics, std::string_view code);
 
 /// Returns a list that holds one error.
 Diagnostics error(std::string code, std::string message, std::string advice = {});

@@ -17,6 +17,14 @@ inline std::string numberText(double value, int digits) {
     return {text.data(), end.ptr};
 }
 
+/// Returns a number rounded to up to `digits` significant digits, for numbers that people read and edit: the double
+/// nearest to the decimal number, so that it is also written with these digits.
+inline double roundedTo(double value, int digits) {
+    const std::string text = numberText(value, digits);
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
 /// Returns the shortest text that is read as the same number.
 inline std::string exactText(double value) {
     std::array<char, 32> text{};

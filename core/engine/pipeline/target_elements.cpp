@@ -7,7 +7,6 @@
 #include "core/engine/spacing/scaled_sizes.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -24,12 +23,7 @@ constexpr double kFarthest = 14.0;   ///< logarithm of the largest factor
 constexpr double kFinestStep = 2e-4; ///< of the logarithm: the digits of the factor end here
 constexpr double kStillStep = 0.2;   ///< a step of the logarithm that should change the number of elements
 
-double rounded(double factor) {
-    const std::string text = numberText(factor, 4);
-    double value = factor;
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-}
+constexpr int kFactorDigits = 4;
 
 /// A factor that was tried.
 struct TargetTrial {
@@ -82,11 +76,6 @@ class FactorSearch {
     int trials_ = 0;
 };
 
-bool isTooMany(const Diagnostics &faults) {
-    return std::any_of(faults.begin(), faults.end(),
-                       [](const Diagnostic &fault) { return fault.code == "too-many-elements"; });
-}
-
 /// Returns the estimated number of elements of a job.
 Result<double> estimateOf(const MeshingJob &job, std::uint64_t target, const Progress &progress) {
     const Result<PreparedJob> prepared = prepare(job, progress, static_cast<double>(target));
@@ -96,10 +85,54 @@ Result<double> estimateOf(const MeshingJob &job, std::uint64_t target, const Pro
     return std::max(1.0, prepared->requestedElements);
 }
 
+/// The meshes of a search, of which the nearest to the target counts.
+class TargetMeshes {
+  public:
+    TargetMeshes(const std::function<MeshingJob(double factor)> &jobWith, std::uint64_t target)
+        : jobWith_(jobWith), target_(static_cast<double>(target)) {}
+
+    /// Makes the mesh with a factor and returns the logarithm of its number of elements over the target; a large number
+    /// if there are more than the options allow.
+    Result<double> mesh(double factor, const Progress &progress) {
+        MeshingJob job = jobWith_(factor);
+        job.shared = nullptr; // the field of other sizes
+        job.options.verify = false;
+        const Result<MeshingOutcome> outcome = meshDomain(job, progress);
+        ++best_.meshes;
+        if (!outcome) {
+            refused_ = outcome.faults();
+            return hasCode(refused_, "too-many-elements") ? Result<double>(kFarTooMany) : refused_;
+        }
+        const std::size_t elements = MeshView(outcome->mesh).elementCount();
+        const double y = std::log(static_cast<double>(std::max<std::size_t>(elements, 1)) / target_);
+        if (std::abs(y) < nearest_) {
+            nearest_ = std::abs(y);
+            best_.factor = factor;
+            best_.elements = elements;
+        }
+        return y;
+    }
+    /// Returns true if a mesh so far reaches the target.
+    bool reached() const { return nearest_ <= std::log1p(kTargetTolerance); }
+    /// Returns the sizes of the nearest mesh; faults if none was made.
+    Result<TargetSizes> best() const {
+        return best_.elements == 0 ? Result<TargetSizes>(refused_) : Result<TargetSizes>(best_);
+    }
+
+  private:
+    static constexpr double kFarTooMany = 4.0;
+
+    const std::function<MeshingJob(double factor)> &jobWith_;
+    double target_;
+    TargetSizes best_;
+    double nearest_ = std::numeric_limits<double>::infinity();
+    Diagnostics refused_;
+};
+
 } // namespace
 
 double estimatedFactor(double estimate, std::uint64_t target) {
-    return rounded(std::sqrt(estimate / static_cast<double>(target)));
+    return roundedTo(std::sqrt(estimate / static_cast<double>(target)), kFactorDigits);
 }
 
 Result<TargetSizes> sizesForElements(const std::function<MeshingJob(double factor)> &jobWith, std::uint64_t target,
@@ -116,41 +149,20 @@ Result<TargetSizes> sizesForElements(const std::function<MeshingJob(double facto
         return estimate.faults();
     }
     FactorSearch search(std::clamp(0.5 * std::log(*estimate / static_cast<double>(target)), -kFarthest, kFarthest));
-    TargetSizes best;
-    double nearest = std::numeric_limits<double>::infinity();
-    Diagnostics refused;
+    TargetMeshes meshes(jobWith, target);
     int close = 0; // meshes since the target was reached
     for (int made = 0; made < kMaxMeshes; ++made) {
-        const double factor = rounded(std::exp(search.next()));
-        MeshingJob job = jobWith(factor);
-        job.shared = nullptr; // the field of other sizes
-        job.options.verify = false;
-        const Result<MeshingOutcome> outcome = meshDomain(job, progress);
-        if (!outcome && !isTooMany(outcome.faults())) {
-            return outcome.faults();
+        const double factor = roundedTo(std::exp(search.next()), kFactorDigits);
+        const Result<double> y = meshes.mesh(factor, progress);
+        if (!y) {
+            return y.faults();
         }
-        double y = 4.0; // far too many
-        if (outcome) {
-            const std::size_t elements = MeshView(outcome->mesh).elementCount();
-            y = std::log(static_cast<double>(std::max<std::size_t>(elements, 1)) / static_cast<double>(target));
-            if (std::abs(y) < nearest) {
-                nearest = std::abs(y);
-                best.factor = factor;
-                best.elements = elements;
-            }
-        } else {
-            refused = outcome.faults();
-        }
-        best.meshes = made + 1;
-        close += nearest <= std::log1p(kTargetTolerance) ? 1 : 0;
-        if (std::abs(y) <= kAimed || close >= kMaxClose || !search.add(std::log(factor), y)) {
+        close += meshes.reached() ? 1 : 0;
+        if (std::abs(*y) <= kAimed || close >= kMaxClose || !search.add(std::log(factor), *y)) {
             break;
         }
     }
-    if (best.elements == 0) {
-        return refused;
-    }
-    return best;
+    return meshes.best();
 }
 
 Diagnostics missedTarget(const TargetSizes &sizes, std::uint64_t target, const MeshingJob &job) {

@@ -3,6 +3,7 @@
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/base/hash.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/spacing/parts/paint/paint.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
@@ -57,7 +58,7 @@ const char *BrushTool::icon() const {
 
 double BrushTool::radius(const Shell &context) const {
     const double held = state_->held(&EditState::brushRadius, context);
-    return held > 0.0 ? held : EditState::twoDigits(EditState::reach(context, 36.0));
+    return held > 0.0 ? held : roundedTo(EditState::reach(context, 36.0), 2);
 }
 
 double BrushTool::spacing(const Shell &context) const {
@@ -67,7 +68,7 @@ double BrushTool::spacing(const Shell &context) const {
     const Box2 box = boundsOf(*context.document.current());
     const Vec2 middle = box.empty() ? context.view.camera.centre : box.centre();
     const double rho = spacingAt(context, pointer_ ? *pointer_ : middle);
-    return EditState::twoDigits(rho > 0.0 ? 0.4 * rho : 0.25 * radius(context));
+    return roundedTo(rho > 0.0 ? 0.4 * rho : 0.25 * radius(context), 2);
 }
 
 void BrushTool::deactivate(Shell &) {
@@ -82,7 +83,7 @@ void BrushTool::pick(Vec2 place, Shell &context) {
         context.log.refuse("The drawing has no element sizes yet");
         return;
     }
-    state_->brushSpacing = EditState::twoDigits(rho);
+    state_->brushSpacing = roundedTo(rho, 2);
     context.log.announce("The brush paints \xcf\x81 = " + ui::number(state_->brushSpacing, 3));
 }
 
@@ -108,7 +109,7 @@ void BrushTool::scale(double factor, bool spacing, Shell &context) {
     const bool changesSpacing = spacing && sets();
     double &value = changesSpacing ? state_->brushSpacing : state_->brushRadius;
     const double now = changesSpacing ? this->spacing(context) : radius(context);
-    value = std::clamp(EditState::twoDigits(now * factor), 1e-9, 1e12);
+    value = std::clamp(roundedTo(now * factor, 2), 1e-9, 1e12);
 }
 
 bool BrushTool::handle(const CanvasEvent &event, Shell &context) {

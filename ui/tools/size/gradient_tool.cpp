@@ -2,6 +2,7 @@
 
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/spacing/parts/paint/paint.hpp"
 #include "core/engine/spacing/parts/sources/graded_sources.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -82,8 +83,8 @@ SizeSource GradientTool::gradient(Vec2 a, Vec2 b, const Shell &context) const {
     gradient.b = b;
     const double size = state_->held(&EditState::gradientSize, context);
     const double endSize = state_->held(&EditState::gradientEndSize, context);
-    gradient.size = size > 0.0 ? size : EditState::twoDigits(0.5 * rho);
-    gradient.endSize = endSize > 0.0 ? endSize : EditState::twoDigits(2.0 * rho);
+    gradient.size = size > 0.0 ? size : roundedTo(0.5 * rho, 2);
+    gradient.endSize = endSize > 0.0 ? endSize : roundedTo(2.0 * rho, 2);
     gradient.plane = true;
     gradient.geometric = state_->gradientGeometric;
     return gradient;

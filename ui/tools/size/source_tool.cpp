@@ -28,7 +28,7 @@ double SourceTool::size(const Shell &context, Vec2 at) const {
         return held;
     }
     const double rho = context.preview->spacing ? context.preview->spacing->at(at) : EditState::reach(context, 40.0);
-    return EditState::twoDigits(0.25 * rho);
+    return roundedTo(0.25 * rho, 2);
 }
 
 void SourceTool::place(Vec2 at, Shell &context) {

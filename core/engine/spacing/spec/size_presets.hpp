@@ -11,9 +11,8 @@ namespace FOREFRONT_API forefront {
 /// Returns the expression of one or more rules for sizes of coastal meshes, of which the smallest size counts. A rule
 /// is written as its word, a colon, and keys with values, such as "wavelength:depth=sea,period=44714,elements=30":
 ///
-/// - wavelength: `elements` per length of a long wave of the given period in seconds, h = T·sqrt(g·d)/N, the phase
-/// speed
-///   of shallow water (linear wave theory, g = 9.81 m/s²; Le Provost and Vincent 1986 for tides).
+/// - wavelength: `elements` per length of a long wave of the given period in seconds, h = T·sqrt(g·d)/N with
+///   the phase speed of shallow water (linear wave theory, g = 9.81 m/s²; Le Provost and Vincent 1986 for tides).
 /// - slope: `elements` along the topographic length scale, h = 2π/N·d/|∇d| (Hannah and Wright 1995).
 /// - shore: h = size + growth·(distance to the boundary, or to `part`).
 ///

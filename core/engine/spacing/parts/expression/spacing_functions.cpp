@@ -17,7 +17,7 @@ std::vector<Box2> boxesOf(const std::vector<SegmentDistance::Wall> &walls) {
     std::vector<Box2> boxes;
     boxes.reserve(walls.size());
     for (const auto &[a, b] : walls) {
-        boxes.push_back({{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
+        boxes.push_back(boxOf(a, b));
     }
     return boxes;
 }
