@@ -8,6 +8,7 @@
 #include <array>
 #include <fstream>
 #include <span>
+#include <string>
 
 using namespace forefront;
 using Answer = NumericEntry::Answer;
@@ -48,18 +49,21 @@ TEST_CASE("NumericEntry: a single number is the distance to the next node") {
     CHECK_FALSE(entry.isOpen());
 }
 
-TEST_CASE("NumericEntry: before the first node a digit opens the coordinates; step keys stay shortcuts") {
-    NumericEntry entry;
-    for (const int code : {int{key::kPeriod}, int{key::kComma}, int{key::kMinus}, int{'D'}, int{'Q'}}) {
+TEST_CASE("NumericEntry: before the first node a number opens the coordinates; other keys stay shortcuts") {
+    for (const int code : {int{key::kComma}, int{key::kEqual}, int{'D'}, int{'Q'}}) {
+        NumericEntry entry;
         CHECK(press(entry, code, kPlace) == Answer::Unused);
     }
-    CHECK(type(entry, "2", kPlace) == Answer::Used);
-    CHECK(entry.label() == "x 2_   y");
-    press(entry, key::kTab, kPlace);
-    type(entry, "-3", kPlace);
-    CHECK(press(entry, key::kEnter, kPlace) == Answer::Place);
-    CHECK(entry.locks().x == 2.0);
-    CHECK(entry.locks().y == -3.0);
+    for (const char *const x : {"2", "-2", ".5"}) {
+        NumericEntry entry;
+        CHECK(type(entry, x, kPlace) == Answer::Used);
+        CHECK(entry.label() == "x " + std::string(x) + "_   y");
+        press(entry, key::kTab, kPlace);
+        type(entry, "-3", kPlace);
+        CHECK(press(entry, key::kEnter, kPlace) == Answer::Place);
+        CHECK(entry.locks().x == std::stod(x));
+        CHECK(entry.locks().y == -3.0);
+    }
 }
 
 TEST_CASE("NumericEntry: X and Y lock coordinates; both determine the node") {

@@ -53,6 +53,28 @@ TEST_CASE("Parameters: fields accept expressions; a change updates all dependent
     CHECK(driver.document().formulas.contains("spacing/size"_number));
 }
 
+TEST_CASE("Parameters: a circle follows its diameter, by a number or a formula, and shows it again") {
+    Draughtsman driver;
+    addParameter(driver, "d", "3");
+    driver.key('C');
+    driver.dragPlaces({5, 5}, {6, 5});
+    driver.key('V');
+    driver.fill("inspector/diameter", "2.5");
+    CHECK(circleRadius(*driver.document().shapes[0]) == 1.25);
+    CHECK(driver.document().formulas.empty());
+    driver.fill("inspector/diameter", "d + 1");
+    CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
+    CHECK(driver.document().formulas.at("shape/1/radius"_number) == "(d + 1)/2");
+    driver.fill("parameters/0/expression", "2");
+    CHECK(circleRadius(*driver.document().shapes[0]) == 1.5);
+    driver.fill("inspector/diameter", "-1"); // refused
+    CHECK(circleRadius(*driver.document().shapes[0]) == 1.5);
+    driver.key(key::kEscape);
+    driver.fill("inspector/diameter", "4");
+    CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
+    CHECK(driver.document().formulas.empty());
+}
+
 TEST_CASE("Parameters: a typed formula is shown in the field, and typing a number removes it") {
     Draughtsman driver;
     addParameter(driver, "w", "4");

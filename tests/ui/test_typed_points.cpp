@@ -31,6 +31,32 @@ TEST_CASE("Typed points: X after the first corner asks for the opposite corner; 
     CHECK(boundsOf(*driver.document().shapes[3]) == Box2{{3, 3.5}, {3.5, 4}});
 }
 
+TEST_CASE("Typed points: a minus sign or a decimal point begins the first number, too, and zooms or steps nothing") {
+    Draughtsman driver;
+    const double zoom = driver.context().view.camera.zoom;
+    driver.key('R');
+    driver.keys("-5");
+    driver.key(key::kTab);
+    driver.keys("-3");
+    driver.key(key::kEnter);
+    driver.keys(".5");
+    driver.key(key::kTab);
+    driver.keys("2");
+    driver.key(key::kEnter);
+    driver.key('C');
+    driver.keys(".5");
+    driver.key(key::kTab);
+    driver.keys("-.25");
+    driver.key(key::kEnter);
+    driver.keys("1");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(boundsOf(*driver.document().shapes[0]) == Box2{{-5, -3}, {-4.5, -1}});
+    CHECK(driver.document().shapes[1]->nodes[0] == Vec2{0.5, -0.25});
+    CHECK(driver.context().view.camera.zoom <= zoom); // the numbers are shown
+    CHECK(driver.context().settings.workspace == WorkspaceKind::Draw);
+}
+
 TEST_CASE("Typed numbers: width and height go right and up, negative ones left and down, wherever the pointer is") {
     Draughtsman driver;
     const auto box = [&](Vec2 corner, Vec2 pointer, const char *width, const char *height) {

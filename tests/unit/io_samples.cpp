@@ -194,10 +194,6 @@ std::string messages(const Diagnostics &faults) {
     return text;
 }
 
-bool hasCode(const Diagnostics &faults, std::string_view code) {
-    return std::any_of(faults.begin(), faults.end(), [&](const Diagnostic &fault) { return fault.code == code; });
-}
-
 bool allLocated(const Diagnostics &faults) {
     return std::all_of(faults.begin(), faults.end(), [](const Diagnostic &fault) {
         return !fault.file.empty() && fault.line > 0 && fault.column > 0;

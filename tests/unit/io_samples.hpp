@@ -43,9 +43,6 @@ inline SourceText sourceOf(std::string_view text, std::string name = "memory") {
 /// Returns all messages of a list, one per line.
 std::string messages(const Diagnostics &faults);
 
-/// Returns true if one of the faults has that code.
-bool hasCode(const Diagnostics &faults, std::string_view code);
-
 /// Returns true if every error names its file and line.
 bool allLocated(const Diagnostics &faults);
 

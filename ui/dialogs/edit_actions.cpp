@@ -175,10 +175,20 @@ std::string titleWith(const char *verb, const std::string &what) {
     return what.empty() ? verb : std::string(verb) + ' ' + what;
 }
 
+/// Shows the drawing where a step has left it out of view or as good as a dot, such as that of an import of a map.
+void keepDrawingInView(Shell &context) {
+    constexpr double kDot = 0.02; // of the extent in view
+    const Box2 drawing = boundsOf(*context.document.current()), seen = context.view.camera.visible();
+    if (!drawing.empty() && (!drawing.overlaps(seen) || drawing.diagonal() < kDot * seen.diagonal())) {
+        context.actions.run("view.fit", context);
+    }
+}
+
 void travel(Shell &context, bool (DocumentStore::*step)()) {
     const std::shared_ptr<const Document> before = context.document.current();
     (context.document.*step)();
     keepPictureInView(context, *before);
+    keepDrawingInView(context);
 }
 
 void undo(Shell &context) {

@@ -314,6 +314,7 @@ void newDocument(Shell &context) {
         c.selection.clear();
         c.run.clear();
         restoreColours(c);
+        c.newsDismissed = c.log.entries().empty() ? c.newsDismissed : c.log.entries().back().number;
         c.view.isolatedBin.reset();
         c.plates.start = false; // the empty canvas was asked for
         c.view.fit({{0.0, 0.0}, {10.0, 10.0}});

@@ -140,6 +140,7 @@ class FileDialog : public Dialog {
     bool focusName_ = true;
     bool entered_ = false; ///< Enter was pressed in this frame, outside all fields
     bool browses_ = true;  ///< shows the folders and files; at first not if there are presets, which come first
+    int presetRows_ = 1;   ///< rows of their buttons in the last frame
     bool newFolder_ = false;
     std::string newFolderName_;
     std::string typed_;     ///< beginning of a name, see typeAhead()

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace forefront {
 
@@ -32,8 +33,8 @@ float FileDialog::bottomHeight(const Shell &context) const {
     const float height = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
     float more = std::max(0.0F, height - ImGui::GetTextLineHeight());
     constexpr int kPlain = 84, kLine = 34;
-    const int lines =
-        (request_.extra ? request_.extraLines : 0) + (request_.presets.empty() ? 0 : 1) + (hasNotes() ? 1 : 0);
+    const int lines = (request_.extra ? request_.extraLines : 0) + (request_.presets.empty() ? 0 : presetRows_) +
+                      (hasNotes() ? 1 : 0);
     if (hasNotes()) {
         const float width = ImGui::GetContentRegionMax().x - context.px(kNoteIndent);
         more += static_cast<float>(noteLines(context, width) - 2) * context.fonts.small->FontSize;
@@ -46,6 +47,7 @@ void FileDialog::drawPresets(Shell &context) {
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "For");
     ImGui::SameLine(context.px(72));
+    ImGui::BeginGroup(); // further rows begin below the first button
     ui::Flow flow(context, ImGui::GetContentRegionAvail().x, context.px(6));
     for (const FilePreset &preset : request_.presets) {
         flow.item(preset.id.c_str());
@@ -58,6 +60,9 @@ void FileDialog::drawPresets(Shell &context) {
             focusName_ = true; // the name is what is typed next
         }
     }
+    flow.finish();
+    ImGui::EndGroup();
+    presetRows_ = static_cast<int>(std::lround(ImGui::GetItemRectSize().y / ImGui::GetFrameHeightWithSpacing()));
 }
 
 void FileDialog::drawNote(Shell &context) {

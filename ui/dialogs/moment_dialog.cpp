@@ -52,7 +52,7 @@ Diagnostics writeMoment(Shell &context, const MomentSettings &settings, const st
     sheet.width = settings.width;
     sheet.cut = settings.asOnCanvas;
     const auto write = [moment, sheet, layers = settings.layers, file](const Progress &) {
-        return writeFileAtomically(file, pictureOf(file, sceneOf(*moment, sheet, layers, moment->known)));
+        return writeFileAtomically(file, pictureOf(file, sceneOf(*moment, sheet, layers)));
     };
     const auto done = [file, advance = moment->advance](Shell &c) {
         c.log.announce("Exported advance " + std::to_string(advance) + " to " + file.string());

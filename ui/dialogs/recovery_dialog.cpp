@@ -13,10 +13,13 @@ namespace forefront {
 
 bool RecoveryDialog::draw(Shell &context) {
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted("Forefront closed unexpectedly. These unsaved drawings can be recovered:");
+    const std::vector<Recovery::Orphan> &orphans = recovery_.orphans();
+    ImGui::TextUnformatted(orphans.size() == 1
+                               ? "Forefront closed unexpectedly. This unsaved drawing can be recovered:"
+                               : "Forefront closed unexpectedly. Choose the unsaved drawing to recover; the others are "
+                                 "kept and offered again at the next start.");
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, context.px(4)});
-    const std::vector<Recovery::Orphan> &orphans = recovery_.orphans();
     const float rows = static_cast<float>(std::min<std::size_t>(orphans.size(), 6));
     ImGui::BeginChild("orphans", {0, rows * context.px(32)}, false, ImGuiWindowFlags_NoNav);
     for (std::size_t k = 0; k < orphans.size(); ++k) {
@@ -32,6 +35,7 @@ bool RecoveryDialog::draw(Shell &context) {
     constexpr double kWidth = 112.0;
     const bool discarded = ui::button(context, "dialog/recovery/discard", "Discard", ui::ButtonKind::Plain, true,
                                       static_cast<float>(kWidth));
+    ui::tooltip(context, "Delete the chosen drawing for good");
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - context.px(2.0 * kWidth + 10.0));
     const bool later = ui::button(context, "dialog/recovery/later", "Ask later", ui::ButtonKind::Plain, true,
                                   static_cast<float>(kWidth));

@@ -5,6 +5,7 @@
 #include "ui/editor/apply_settings.hpp"
 #include "ui/editor/editor_parts.hpp"
 #include "ui/panels/adapted_rounds.hpp"
+#include "ui/parts/preview_dialog.hpp"
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/presentation.hpp"
@@ -110,9 +111,15 @@ void Editor::Parts::dropFlag() {
     }
 }
 
+/// Returns true while a drawing is shown that the user has not accepted yet, at a scale that may be wrong.
+bool offersDrawing(const Shell &context) {
+    const auto *const dialog = dynamic_cast<const PreviewDialog *>(context.dialogs.top());
+    return dialog != nullptr && !dialog->inOptionsBar();
+}
+
 void Editor::Parts::followDocument() {
     const bool previewed = context.preview->revision == context.document.revision();
-    const bool gestureOver = previewed && !ImGui::IsAnyMouseDown();
+    const bool gestureOver = previewed && !ImGui::IsAnyMouseDown() && !offersDrawing(context);
     context.run.live = context.settings.live;
     context.run.liveBudget = context.settings.liveBudget;
     context.run.follow(gestureOver, hasErrors(context.preview->faults));

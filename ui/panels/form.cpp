@@ -51,11 +51,13 @@ bool tag(Workspace &context, const std::string &name, const char *text, std::int
     label(context, text);
     double number = value;
     const bool changed = ui::inputNumber(context, name, number, 48.0F) && ui::checkTag(context, name, number);
+    ui::tooltip(context, "Tag, a whole number: mesh files mark the part with it");
     ImGui::SameLine(0, context.px(6));
     std::string typed = shownName;
     if (ui::inputName(context, name + "/name", typed, "name", -1.0F, true) && typed != shownName) {
         rename = typed;
     }
+    ui::tooltip(context, "Name of the part in mesh files, for example for loads and materials");
     if (changed) {
         value = static_cast<std::int32_t>(number);
     }

@@ -1,5 +1,6 @@
 #include "ui/panels/geometry_rows.hpp"
 
+#include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/part_lengths.hpp"
@@ -16,6 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -54,6 +57,39 @@ void drawRectangle(Shell &context, const Shape &shape) {
     }
 }
 
+/// Returns the expression of a diameter of which a formula takes the half; empty for other formulas.
+std::string diameterIn(std::string_view radius) {
+    constexpr std::string_view kHalf = ")/2";
+    if (!radius.starts_with('(') || !radius.ends_with(kHalf)) {
+        return {};
+    }
+    const std::string_view inner = radius.substr(1, radius.size() - 1 - kHalf.size());
+    int open = 0; // parentheses; "(a)+(b)" is not one expression in parentheses
+    for (const char c : inner) {
+        open += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (open < 0) {
+            return {};
+        }
+    }
+    return std::string(inner);
+}
+
+void diameterRow(Shell &context, const Shape &circle) {
+    const Document &document = *context.document.current();
+    const NumberAddress address = addressOf(circle, Quantity::Radius);
+    const auto given = document.formulas.find(address);
+    std::string formula = given != document.formulas.end() ? diameterIn(given->second) : std::string();
+    double diameter = 2.0 * circleRadius(circle);
+    form::label(context, "Diameter");
+    if (ui::inputExpression(context, "inspector/diameter", diameter, formula)) {
+        Result<Document> next = setRadius(document, circle.id, 0.5 * diameter);
+        if (next) {
+            next = setFormula(*std::move(next), address, formula.empty() ? formula : '(' + formula + ")/2");
+        }
+        context.applyCommand(std::move(next), "Resize circle");
+    }
+}
+
 void drawCircle(Shell &context, const Shape &shape) {
     const Document &document = *context.document.current();
     Vec2 centre = shape.nodes[0];
@@ -64,6 +100,7 @@ void drawCircle(Shell &context, const Shape &shape) {
     if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, Quantity::Radius))) {
         context.applyCommand(setRadius(document, shape.id, radius), "Resize circle");
     }
+    diameterRow(context, shape);
 }
 
 void drawPoint(Shell &context, const Shape &shape) {

@@ -65,7 +65,7 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
     std::optional<std::string> rename;
     const std::string name = boundaryName(document.boundaryNames, tag);
     std::int32_t wanted = tag;
-    if (form::tag(context, "inspector/tag", "Boundary tag", wanted, name, rename)) {
+    if (form::tag(context, "inspector/tag", "Boundary", wanted, name, rename)) {
         changeTag(context, part, wanted);
     } else if (rename) {
         context.applyCommand(nameBoundaryPart(document, part, *rename), "Name boundary");
@@ -99,7 +99,7 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
         boundaryTagRow(context, *tags.begin(), part);
         return;
     }
-    form::label(context, "Boundary tag");
+    form::label(context, "Boundary");
     std::optional<double> wanted;
     if (form::optionalField(context, "inspector/tag", wanted, "several") && wanted &&
         ui::checkTag(context, "inspector/tag", *wanted)) {
@@ -135,7 +135,7 @@ SpacingHere spacingHere(const Workspace &context) {
         return {"Point at the canvas to read the spacing there.", {}};
     }
     const SpacingSample sample = spacing->sample(*context.view.pointer);
-    SpacingHere here{"\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe, {}};
+    SpacingHere here{"Size \xcf\x81 at the pointer = " + ui::number(sample.rho, 3) + ": " + sample.describe, {}};
     if (sample.runnerUp) {
         here.runnerUp = "then " + ui::number(sample.runnerUp->rho, 3) + ": " + sample.runnerUp->describe;
     }
@@ -214,30 +214,31 @@ void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const 
 void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
     inspectorHeading(context, displayName(shape));
-    std::string name = shape.name;
-    if (form::text(context, "inspector/name", "Shape name", name, kindName(shape).c_str()) && name != shape.name) {
-        context.applyCommand(setShapeName(document, shape.id, name), "Name shape");
-    }
     useRow(context, {shape.id}, shape.use);
     if (shape.segmentTags.empty()) {
         boundaryTagRow(context, shape.tag, {.shapes = {shape.id}, .segments = {}});
     } else {
-        form::label(context, "Boundary tag");
+        form::label(context, "Boundary");
         ui::muted(context, "several");
         ImGui::SameLine();
         if (ui::button(context, "inspector/onetag", "Same for all")) {
             context.applyCommand(setShapeTag(document, {shape.id}, shape.tag), "Change tag");
         }
     }
+    std::string name = shape.name;
+    if (form::text(context, "inspector/name", "Shape name", name, kindName(shape).c_str()) && name != shape.name) {
+        context.applyCommand(setShapeName(document, shape.id, name), "Name shape");
+    }
+    ui::tooltip(context, "Name of the shape in the list Shapes alone; the mesh file has the name of its boundary");
     if (shape.is<PointForm>()) {
         nodeSizeRow(context, {{shape.id, 0}});
     }
+    geometryRows(context, shape);
     segmentSizeRow(context, segmentsOf(document, {shape.id}));
     elementCountRow(context, std::set{shape.id});
     if (shape.segmentTags.empty()) {
         partSizeRow(context, shape.tag);
     }
-    geometryRows(context, shape);
     ImGui::Dummy({0, context.px(2)});
     drawShapeButtons(context, shape);
 }

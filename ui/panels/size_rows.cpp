@@ -44,7 +44,7 @@ void partSizeRow(Shell &context, std::int32_t tag) {
     double growth = given ? found->second.growth : follows ? counted->second.growth : PartSize{}.growth;
     const std::string hint = follows ? followingSize(document, tag) : "auto";
     const NumberOwner part = NumberOwner::ofPart(tag);
-    form::label(context, "Whole part");
+    form::label(context, "Part size");
     bool changed = form::optionalField(context, "inspector/partsize", size, hint.c_str(), form::halfWidth(context),
                                        NumberAddress{part, Quantity::Size});
     const std::string whole = "'" + boundaryName(document.boundaryNames, tag) + "'";

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -155,7 +156,10 @@ MeshChip meshChip(const Shell &context) {
                    : MeshChip{"mesh of a file", theme.muted, "A mesh read from a file, unchanged"};
     }
     if (context.run.outOfDate()) {
-        return {"out of date, press 2", theme.warn, "The drawing has changed; click to mesh it again"};
+        // A drawing tool takes digits as coordinates.
+        return {std::string_view(context.tools.current().id()) == "select" ? "out of date, press 2"
+                                                                           : "out of date, click to mesh",
+                theme.warn, "The drawing has changed; click to mesh it again"};
     }
     if (context.run.preview()) {
         return {"coarse preview", theme.warn, "Live meshing shows a coarser mesh; click to make the whole one"};
@@ -165,7 +169,9 @@ MeshChip meshChip(const Shell &context) {
 }
 
 void addMeshChip(Cells &cells, Shell &context) {
-    if (context.document.current()->shapes.empty() && context.run.now().mesh == nullptr) {
+    const bool none = context.document.current()->shapes.empty() && context.run.now().mesh == nullptr;
+    if (none ||
+        (!context.run.outOfDate() && !unfinishedText(context).empty())) { // the checks say that it is unfinished
         return;
     }
     const MeshChip chip = meshChip(context);
@@ -184,11 +190,15 @@ void addFigures(Cells &cells, Shell &context) {
     if (run.quality.elements > 0) {
         if (cells.addRight("quality", ui::format("min angle %.1f\xc2\xb0", run.quality.minAngle),
                            context.theme.muted)) {
-            cells.clicked("quality");
-            ui::tooltip(context,
-                        run.complete && run.advance < run.known
-                            ? "Smallest angle so far; the mesh is improved at the end"
-                            : ui::format("Smallest angle; the mean shape factor is %.3f", run.quality.alphaMean));
+            if (cells.clicked("quality")) {
+                context.actions.run("run.worst", context);
+            }
+            ui::tooltip(context, run.complete && run.advance < run.known
+                                     ? "Smallest angle so far; the mesh is improved at the end. Click to go to the "
+                                       "worst element"
+                                     : ui::format("Smallest angle; the mean shape factor is %.3f. Click to go to the "
+                                                  "worst element",
+                                                  run.quality.alphaMean));
         }
         if (cells.addRight("counts", elementsInShort(run.quality), context.theme.text)) {
             cells.clicked("counts");

@@ -5,12 +5,13 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <utility>
 
 namespace forefront::ui {
 
 namespace {
 
-constexpr const char *kWholeWidth = "##whole";
+constexpr const char *kWholeWidth = "##whole", *kBareWidth = "##bare";
 
 } // namespace
 
@@ -18,13 +19,17 @@ Flow::Flow(WidgetContext &context, float room, float gap, const char *overflow)
     : context_(context), room_(room), gap_(gap), overflow_(overflow) {
     if (overflow_ != nullptr) {
         widths_ = ImGui::GetStateStorage();
-        labels_ = widths_->GetFloat(ImGui::GetID(kWholeWidth)) <= room_;
+        // Where items go to the other window in any case, the labels of those that stay say more than further items.
+        labels_ = widths_->GetFloat(ImGui::GetID(kWholeWidth)) <= room_ ||
+                  widths_->GetFloat(ImGui::GetID(kBareWidth)) > room_;
     }
 }
 
 void Flow::label(std::string_view text) {
+    const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x + ImGui::GetStyle().ItemSpacing.x;
+    labelled_ += width;
     if (!labels_ && !overflows_) {
-        leftOut_ += ImGui::CalcTextSize(text.data(), text.data() + text.size()).x + ImGui::GetStyle().ItemSpacing.x;
+        leftOut_ += width;
         return;
     }
     ImGui::AlignTextToFramePadding();
@@ -38,11 +43,13 @@ void Flow::finish() {
     if (overflow_ == nullptr) {
         return;
     }
-    float &before = *widths_->GetFloatRef(ImGui::GetID(kWholeWidth));
     const float whole = whole_ + leftOut_;
-    if (std::abs(whole - before) > 0.5F) {
-        before = whole;
-        context_.animate();
+    for (const auto &[key, width] : {std::pair(kWholeWidth, whole), std::pair(kBareWidth, whole - labelled_)}) {
+        float &before = *widths_->GetFloatRef(ImGui::GetID(key));
+        if (std::abs(width - before) > 0.5F) {
+            before = width;
+            context_.animate();
+        }
     }
 }
 

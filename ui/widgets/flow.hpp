@@ -13,8 +13,8 @@ namespace forefront::ui {
 class Flow {
   public:
     /// `room` is the width of a row, `gap` the distance between items, in pixels. With `overflow`, there is a single
-    /// row: labels are left out if all would not fit with them, and what still does not fit goes to the window of Dear
-    /// ImGui with that name, one item below the other.
+    /// row: labels are left out if everything fits only without them; else what does not fit goes to the window of
+    /// Dear ImGui with that name, one item below the other.
     Flow(WidgetContext &context, float room, float gap, const char *overflow = nullptr);
     ~Flow() { end(); }
     Flow(const Flow &) = delete;
@@ -44,6 +44,7 @@ class Flow {
     float used_ = 0.0F;              ///< width of the row so far
     float whole_ = 0.0F;             ///< width of all items in one row, with the labels that are drawn
     float leftOut_ = 0.0F;           ///< width of the labels that are not
+    float labelled_ = 0.0F;          ///< width of all labels
     ImGuiStorage *widths_ = nullptr; ///< of the items of a single row; null: that of the current window
     unsigned int begun_ = 0;         ///< key under which Dear ImGui stores the width of the current item; 0: none
 };

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace forefront::ui {
 
@@ -212,18 +213,42 @@ bool eyeSwitch(WidgetContext &context, std::string_view name, std::string_view l
     return pressed;
 }
 
+namespace {
+
+/// Returns the widths of the segments of a switch: equal ones, or the same room around all texts where one is longer.
+std::vector<float> segmentWidths(const WidgetContext &context, std::span<const char *const> labels, float whole) {
+    const auto count = static_cast<float>(labels.size());
+    std::vector<float> texts;
+    float longest = 0.0F, sum = 0.0F;
+    for (const char *const label : labels) {
+        texts.push_back(ImGui::CalcTextSize(label).x);
+        longest = std::max(longest, texts.back());
+        sum += texts.back();
+    }
+    const bool equal = longest + context.px(8) <= whole / count;
+    for (float &text : texts) {
+        text = equal ? whole / count : text + (whole - sum) / count;
+    }
+    return texts;
+}
+
+} // namespace
+
 bool segmented(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
                float width, std::span<const char *const> tips) {
     const Id id(name);
     const float whole = width > 0.0F ? context.px(width) : ImGui::GetContentRegionAvail().x;
-    const float each = whole / static_cast<float>(labels.size());
+    const std::vector<float> widths = segmentWidths(context, labels, whole);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = context.px(24);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + whole, at.y + height}, context.theme.inset, context.px(6));
     bool changed = false;
+    float left = at.x;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const ImVec2 corner{at.x + each * static_cast<float>(i), at.y};
+        const float each = widths[i];
+        const ImVec2 corner{left, at.y};
+        left += each;
         ImGui::SetCursorScreenPos(corner);
         const bool here = choice == static_cast<int>(i);
         if (hitArea(labels[i], each, height) && !here) {

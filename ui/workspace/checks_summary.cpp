@@ -23,7 +23,7 @@ std::string violationText(const LimitVerdict &verdict) {
            valueText(verdict.limit, verdict.bound);
 }
 
-ChecksSummary limitsSummary(const std::vector<LimitVerdict> &verdicts) {
+ChecksSummary limitsSummary(const std::vector<LimitVerdict> &verdicts, bool meshed) {
     const auto violated = [](const LimitVerdict &verdict) { return verdict.broken > 0; };
     const auto broken = static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(), violated));
     if (broken > 0) {
@@ -33,7 +33,7 @@ ChecksSummary limitsSummary(const std::vector<LimitVerdict> &verdicts) {
     }
     const auto judged = static_cast<std::size_t>(
         std::count_if(verdicts.begin(), verdicts.end(), [](const LimitVerdict &verdict) { return verdict.met(); }));
-    return judged == 0 ? ChecksSummary{State::Ready, "Ready to mesh", {}}
+    return judged == 0 ? ChecksSummary{State::Ready, meshed ? "Meshed; no limits to judge" : "Ready to mesh", {}}
                        : ChecksSummary{State::Met, counted(judged, "limit met", "limits met"),
                                        counted(judged, "limit met", "limits met")};
 }
@@ -78,7 +78,9 @@ ChecksSummary checksSummary(const Workspace &context) {
     }
     const auto warnings = static_cast<std::size_t>(std::count_if(
         faults.begin(), faults.end(), [](const Diagnostic &fault) { return fault.severity == Severity::Warning; }));
-    return withWarnings(limitsSummary(context.judgement->verdicts), warnings);
+    return withWarnings(
+        limitsSummary(context.judgement->verdicts, context.run.now().mesh != nullptr && !context.run.outOfDate()),
+        warnings);
 }
 
 } // namespace forefront

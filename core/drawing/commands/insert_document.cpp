@@ -4,6 +4,7 @@
 #include "core/drawing/formulas/bring_formulas.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/names/distinct_tags.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
@@ -134,7 +135,7 @@ Document inserted(const Document &document, const Document &other, double scale,
 } // namespace
 
 Document insertDrawing(const Document &document, const Document &other, double scale, Insertion *insertion) {
-    return inserted(document, other, scale, {}, insertion);
+    return inserted(document, withDistinctTags(other, document), scale, {}, insertion);
 }
 
 Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Insertion *insertion) {
@@ -143,10 +144,11 @@ Result<Document> insertCopied(const Document &document, const Document &other, V
         all.shapes.insert(shape->id);
     }
     const ItemPlaces taken(document);
-    Result<Document> moved = other;
+    const Document tagged = withDistinctTags(other, document);
+    Result<Document> moved = tagged;
     constexpr int kMaxSteps = 1000; // guards against steps too small to move anything
     for (int k = 1; k <= kMaxSteps && taken.meet(ItemPlaces(*moved)); ++k) {
-        moved = moveSelection(other, all, static_cast<double>(k) * step);
+        moved = moveSelection(tagged, all, static_cast<double>(k) * step);
         if (!moved) {
             return moved;
         }

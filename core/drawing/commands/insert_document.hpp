@@ -14,8 +14,8 @@ struct Insertion {
     Diagnostics notes{};
 };
 
-/// Returns `document` with the shapes, region markers and names of another document, scaled about the origin. Where
-/// both name a tag, the name in `document` wins. Formulas come along with the parameters that they use: see
+/// Returns `document` with the shapes, region markers and names of another document, scaled about the origin. Names
+/// keep their meaning: see withDistinctTags(). Formulas come along with the parameters that they use: see
 /// bringFormulas(). `insertion`, if not null, is set to what was added.
 Document insertDrawing(const Document &document, const Document &other, double scale, Insertion *insertion);
 

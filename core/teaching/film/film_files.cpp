@@ -71,7 +71,7 @@ class Filming {
             const std::uint64_t at =
                 frames == 1 ? steps : steps * static_cast<std::uint64_t>(k) / static_cast<std::uint64_t>(frames - 1);
             moveTo(at);
-            const FilmScene scene = sceneHere();
+            const FilmScene scene = sceneHere(last_);
             if (progress_.cancelled()) {
                 return cancelled();
             }
@@ -117,7 +117,7 @@ class Filming {
     }
     Status writeMoment() {
         stepper_.seek(last_, quiet());
-        const FilmScene scene = sceneHere();
+        const FilmScene scene = sceneHere({});
         if (progress_.cancelled()) {
             return cancelled();
         }
@@ -147,14 +147,14 @@ class Filming {
             stepper_.seek(from_ + step, quiet());
         }
     }
-    FilmScene sceneHere() {
+    FilmScene sceneHere(std::optional<std::uint64_t> last) {
         SnapshotLayers needed = plan_.layers.needed();
         needed.explanation = needed.explanation || plan_.follow;
         const std::shared_ptr<const SessionSnapshot> moment = stepper_.snapshot(needed);
         if (plan_.follow) {
             sheet_.box = followed(momentOf(*moment));
         }
-        FilmScene scene = sceneOf(*moment, sheet_, plan_.layers, last_);
+        FilmScene scene = sceneOf(*moment, sheet_, plan_.layers, last);
         labelled_ = labelled_ || std::any_of(scene.texts.begin(), scene.texts.end(),
                                              [](const FilmText &text) { return text.place.has_value(); });
         return scene;

@@ -125,7 +125,7 @@ void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double
         const CandidateTrace &candidate = advance.candidates[k];
         const bool withdrawn = candidate.verdict == Verdict::Withdrawn && moment.judged[k];
         const std::string text =
-            withdrawn ? std::string("withdrawn") : std::to_string(k + 1) + ": " + fixedText(candidate.score, decimals);
+            std::to_string(k + 1) + ": " + fixedText(candidate.score, decimals) + (withdrawn ? " too near" : "");
         const Vec2 point = at(candidate.position);
         labels.add(point, candidate.position, text, Ink::Text, point - middle);
     }

@@ -244,11 +244,15 @@ int FilmSheet::height() const {
     return static_cast<int>(std::ceil(bandTop() + kBand + text - kRounding));
 }
 
-FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers, std::uint64_t last) {
+FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers,
+                  std::optional<std::uint64_t> last) {
     FilmScene scene;
     scene.width = sheet.width;
     scene.height = sheet.height();
-    scene.progress = last == 0 ? 1.0 : std::min(1.0, static_cast<double>(moment.advance) / static_cast<double>(last));
+    if (last) {
+        scene.progress =
+            *last == 0 ? 1.0 : std::min(1.0, static_cast<double>(moment.advance) / static_cast<double>(*last));
+    }
     if (sheet.cut) {
         scene.paperFrom = sheet.bandTop();
     }
@@ -325,9 +329,11 @@ std::string svgOf(const FilmScene &scene) {
     for (const FilmText &text : scene.texts) {
         appendText(text, svg);
     }
-    svg += "<rect y=\"" + pixels(scene.height - 4.0) + "\" width=\"" + pixels(scene.progress * scene.width) +
-           "\" height=\"4\" fill=\"" + colourText(Ink::Front) + "\"/>\n</svg>\n";
-    return svg;
+    if (scene.progress > 0.0) {
+        svg += "<rect y=\"" + pixels(scene.height - 4.0) + "\" width=\"" + pixels(scene.progress * scene.width) +
+               "\" height=\"4\" fill=\"" + colourText(Ink::Front) + "\"/>\n";
+    }
+    return svg + "</svg>\n";
 }
 
 } // namespace forefront

@@ -87,8 +87,9 @@ struct FilmSheet {
 };
 
 /// Returns the scene of a moment of a run: within an advance, only what its events have shown so far. `last` is the
-/// number of advances of the whole run, for the progress.
-FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers, std::uint64_t last);
+/// number of advances of the whole run, for the progress in a film; a single picture has none.
+FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers,
+                  std::optional<std::uint64_t> last = {});
 
 /// Returns the width of a text in a font of a size, both in pixels.
 double filmTextWidth(std::string_view text, double size);

@@ -24,6 +24,11 @@ bool isNumberKey(int code) {
            code == key::kComma || code == key::kEqual;
 }
 
+/// Returns true for a key that begins a number.
+bool beginsNumber(int code) {
+    return isDigitKey(code) || code == key::kKeypadDecimal || code == key::kMinus || code == key::kPeriod;
+}
+
 bool isDigit(char32_t c) {
     return c >= U'0' && c <= U'9';
 }
@@ -228,8 +233,8 @@ NumericEntry::Answer NumericEntry::text(char32_t character) {
         return Answer::Used;
     }
     if (!open_) {
-        const bool begins = isDigit(character) || std::exchange(nameBegins_, false) ||
-                            (anchored() && (character == U'.' || character == U'-' || character == U'=')) ||
+        const bool begins = isDigit(character) || std::exchange(nameBegins_, false) || character == U'.' ||
+                            character == U'-' || (anchored() && character == U'=') ||
                             (anchored() && !isScalar() && character == U'@');
         if (!begins || fields_.empty()) {
             return Answer::Unused;
@@ -328,7 +333,7 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
     }
     if (!open_) {
         // The digits arrive as text; their keys must not run shortcuts meanwhile.
-        return isDigitKey(event.key) || (anchored() && isNumberKey(event.key)) ? Answer::Used : Answer::Unused;
+        return beginsNumber(event.key) || (anchored() && isNumberKey(event.key)) ? Answer::Used : Answer::Unused;
     }
     return edit(event);
 }

@@ -52,6 +52,12 @@ bool canTransform(const Selection &selection) {
 } // namespace
 
 const Box2 &TransformHandles::box(const Shell &context) const {
+    // Stepping and judging look at the mesh, of which a frame around the selection seems a part.
+    static constexpr Box2 kNone;
+    const WorkspaceKind workspace = context.settings.workspace;
+    if (workspace == WorkspaceKind::Step || workspace == WorkspaceKind::Judge) {
+        return kNone;
+    }
     const std::uint64_t revision = context.document.revision();
     if (boxRevision_ != revision || boxSelection_ != context.selection) {
         boxRevision_ = revision;
