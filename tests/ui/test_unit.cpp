@@ -55,8 +55,8 @@ TEST_CASE("Unit: a unit is refused where the drawing has none, and where the fie
     drawIn(driver, LengthUnit::None);
     driver.fill("inspector/size/x", "2 in");
     CHECK(driver.has("inspector/size/x/fault"));
-    CHECK(driver.context().fieldFault.text.starts_with(
-        "the drawing has no unit; enter 2 alone, or choose Edit > Unit"));
+    CHECK(
+        driver.context().fieldFault.text.starts_with("the drawing has no unit; enter 2 alone, or choose Edit > Unit"));
     CHECK(corner(driver).x == 5.0);
 }
 

@@ -20,8 +20,8 @@ using Ids = std::set<std::uint32_t>;
 
 /// Returns five squares, of which 1 and 2 are a group.
 Document fiveSquares() {
-    const Document document = *addShapes({}, {square({0, 0}, 1), square({4, 0}, 1), square({8, 0}, 1),
-                                              square({12, 0}, 1), square({16, 0}, 1)});
+    const Document document = *addShapes(
+        {}, {square({0, 0}, 1), square({4, 0}, 1), square({8, 0}, 1), square({12, 0}, 1), square({16, 0}, 1)});
     return *groupShapes(document, {1, 2});
 }
 

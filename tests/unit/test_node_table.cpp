@@ -50,14 +50,14 @@ TEST_CASE("Table of nodes: what is copied has all digits and moves nothing when 
 TEST_CASE("Table of nodes: separators, decimal commas and headings") {
     const std::vector<Vec2> expected{{0, 0}, {4.5, 0}, {0, 1200.25}};
     for (const std::string_view text : {
-             "0\t0\n4.5\t0\n0\t1200.25\n",          // a spreadsheet
-             "0\t0\n4,5\t0\n0\t1.200,25\n",         // with decimal commas and thousands
-             "0;0\r\n4,5;0\r\n\r\n0;1200,25",       // lines of Windows, an empty one
-             "0,0\n4.5,0\n0,1200.25",               // values separated by commas
-             "0, 0\n4.5, 0\n0, 1200.25",            // and blanks
-             "0,0 0,0\n4,5 0\n0 1200,25",           // decimal commas between blanks
-             "X,Y\n0,0\n4.5,0\n0,1200.25",          // a heading
-             "0\t0\n4,5; 0\n0\t1200,25",              // a line with a separator of its own
+             "0\t0\n4.5\t0\n0\t1200.25\n",           // a spreadsheet
+             "0\t0\n4,5\t0\n0\t1.200,25\n",          // with decimal commas and thousands
+             "0;0\r\n4,5;0\r\n\r\n0;1200,25",        // lines of Windows, an empty one
+             "0,0\n4.5,0\n0,1200.25",                // values separated by commas
+             "0, 0\n4.5, 0\n0, 1200.25",             // and blanks
+             "0,0 0,0\n4,5 0\n0 1200,25",            // decimal commas between blanks
+             "X,Y\n0,0\n4.5,0\n0,1200.25",           // a heading
+             "0\t0\n4,5; 0\n0\t1200,25",             // a line with a separator of its own
              "y;name;x\n0;a;0\n0;b;4,5\n1200,25;c;0" // other columns, another order
          }) {
         CAPTURE(text);
@@ -130,8 +130,7 @@ TEST_CASE("Table of nodes: tables that have no meaning are refused as a whole") 
     CHECK(faultOf("node\tx\ty\n1\t2\t3\n").starts_with("the table has a column node but none shape"));
     CHECK(faultOf("x\ty\n") == "the table has a heading but no lines with numbers");
     CHECK(faultOf("1\t2\n", {1, 2}).starts_with("two columns are the nodes of one shape"));
-    CHECK(faultOf("1\t2\n", {2}) ==
-          "the table has 1 line, but circle 2 has 2 nodes; give it one line for each node");
+    CHECK(faultOf("1\t2\n", {2}) == "the table has 1 line, but circle 2 has 2 nodes; give it one line for each node");
     Document locked = *setLocked(document, {1}, true);
     const NodeTableResult kept = placed(locked, "0\t0\n4\t0\n0\t9\n");
     REQUIRE(kept.faults.size() == 1);

@@ -28,8 +28,9 @@ std::string lengthText(double value, LengthUnit unit) {
 
 bool UnitDialog::draw(Shell &context) {
     const LengthUnit before = context.document.current()->unit;
-    ui::small(context, "Fields, rulers and exported files name the unit. A length typed in another unit, such as 2 in, "
-                       "is converted.",
+    ui::small(context,
+              "Fields, rulers and exported files name the unit. A length typed in another unit, such as 2 in, "
+              "is converted.",
               true);
     ImGui::Dummy({0, context.px(4)});
     constexpr std::array<const char *, wordsOf<LengthUnit>().size()> kLabels{"None", "mm", "cm", "m", "km", "in", "ft"};
@@ -64,8 +65,9 @@ void UnitDialog::drawEffect(Shell &context, LengthUnit before) {
     }
     const std::string old = lengthText(10.0, before);
     ui::small(context,
-              scales_ ? old + " becomes " + lengthText(*factor * 10.0, unit_) + ": the drawing has the same size, and "
-                                                                               "so have its elements."
+              scales_ ? old + " becomes " + lengthText(*factor * 10.0, unit_) +
+                            ": the drawing has the same size, and "
+                            "so have its elements."
                       : old + " becomes " + lengthText(10.0, unit_) + ": the drawing has another size.",
               true);
     if (scales_ && context.document.current()->spacing.expression) {

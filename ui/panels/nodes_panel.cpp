@@ -114,15 +114,16 @@ class NodesPanel final : public Panel {
         if (ui::button(context, "nodes/paste", "Paste table")) {
             paste(context);
         }
-        ui::tooltip(context, "Move the nodes to the places in the clipboard: the table as copied here, or the columns x "
-                             "and y for the nodes of the selected shape in their order");
+        ui::tooltip(context,
+                    "Move the nodes to the places in the clipboard: the table as copied here, or the columns x "
+                    "and y for the nodes of the selected shape in their order");
     }
 
     /// Draws what is wrong with the pasted table; each line can be corrected in place.
     void drawPasted(Shell &context) {
         const std::size_t shown = std::min(faults_.size(), kShownFaults);
         drawReason(context, fault_.empty() ? countText(faults_.size(), "line") + " of the pasted table cannot be used; "
-                                                                                  "no node was moved"
+                                                                                 "no node was moved"
                                            : fault_);
         ui::mark(context, "nodes/fault");
         for (std::size_t k = 0; k < shown; ++k) {
@@ -130,8 +131,8 @@ class NodesPanel final : public Panel {
             ImGui::AlignTextToFramePadding();
             ui::muted(context, std::to_string(line + 1));
             ImGui::SameLine(context.px(kNodeNumber));
-            const std::optional<std::string> typed = ui::inputChecked(
-                context, "nodes/pasted/" + std::to_string(line), pasted_[line], "leave out this line", -1.0F);
+            const std::optional<std::string> typed = ui::inputChecked(context, "nodes/pasted/" + std::to_string(line),
+                                                                      pasted_[line], "leave out this line", -1.0F);
             drawReason(context, faults_[k].reason);
             if (typed) {
                 pasted_[line] = *typed;
@@ -240,8 +241,7 @@ class NodesPanel final : public Panel {
         }
         const std::string text = std::to_string(line.node.node + 1);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
-        list.AddText({at.x + size.x - context.px(6) - width,
-                      std::round(at.y + 0.5F * (size.y - ImGui::GetFontSize()))},
+        list.AddText({at.x + size.x - context.px(6) - width, std::round(at.y + 0.5F * (size.y - ImGui::GetFontSize()))},
                      context.theme.muted, text.c_str());
         if (pressed && !locked) {
             context.tools.choose("select", context);

@@ -56,8 +56,7 @@ Result<Document> ungroupShapes(const Document &document, const std::set<std::uin
     if (dissolved.empty()) {
         return error("not-possible", "none of the selected shapes is in a group", "select a shape of the group");
     }
-    return withGroups(document,
-                      [&](const Shape &shape) { return dissolved.contains(shape.group) ? 0U : shape.group; });
+    return withGroups(document, [&](const Shape &shape) { return dissolved.contains(shape.group) ? 0U : shape.group; });
 }
 
 std::set<std::uint32_t> shapesGroupedWith(const Document &document, std::uint32_t shape) {

@@ -139,7 +139,8 @@ class TableReader {
     std::optional<TableRow> readRow(std::size_t line) {
         // A line that was corrected by hand may have other separators: fields take no tabs.
         const bool usual = separator_ == ' ' || lines_[line].find(separator_) != std::string::npos;
-        const std::vector<std::string_view> cells = cellsOf(lines_[line], usual ? separator_ : separatorOf(lines_[line]));
+        const std::vector<std::string_view> cells =
+            cellsOf(lines_[line], usual ? separator_ : separatorOf(lines_[line]));
         const auto fail = [&](std::string reason) {
             result_.faults.push_back({line, std::move(reason)});
             return std::nullopt;
@@ -300,8 +301,8 @@ void checkAddresses(const Document &document, const std::vector<TableRow> &rows,
             result.faults.push_back({row.line, "node " + node + " not found; " + displayName(*shape) + " has " +
                                                    countText(handleCount(*shape), "node")});
         } else if (!fresh) {
-            result.faults.push_back({row.line, "node " + node + " of " + displayName(*shape) +
-                                                   " is also in line " + std::to_string(earlier->second + 1)});
+            result.faults.push_back({row.line, "node " + node + " of " + displayName(*shape) + " is also in line " +
+                                                   std::to_string(earlier->second + 1)});
         }
     }
 }
@@ -312,8 +313,8 @@ void placeRows(const Document &document, std::vector<TableRow> rows, NodeTableRe
                      [](const TableRow &a, const TableRow &b) { return a.node.shape < b.node.shape; });
     std::vector<Shape> changed;
     for (auto begin = rows.begin(); begin != rows.end();) {
-        const auto end = std::find_if(begin, rows.end(),
-                                      [&](const TableRow &row) { return row.node.shape != begin->node.shape; });
+        const auto end =
+            std::find_if(begin, rows.end(), [&](const TableRow &row) { return row.node.shape != begin->node.shape; });
         if (std::optional<Shape> shape =
                 ShapePlacer(*findShape(document, begin->node.shape), result).place({begin, end})) {
             changed.push_back(*std::move(shape));
