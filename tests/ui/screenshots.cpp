@@ -101,18 +101,6 @@ void offerCombination(Driver &driver) {
     context.actions.run("edit.combine", context);
 }
 
-/// Shows the nodes of a shape of a drawing in millimetres.
-void showNodes(Driver &driver) {
-    Shell &context = driver.context();
-    Document drawing = *context.document.current();
-    drawing.unit = LengthUnit::Millimetre;
-    context.document.apply(drawing, "Unit");
-    context.selection.clear();
-    context.selection.shapes = {drawing.shapes.front()->id};
-    context.settings.rulers = true;
-    driver.showPanel("nodes");
-}
-
 /// Opens the dialog for a drawing that is added.
 void importBracket(Driver &driver) {
     Result<std::unique_ptr<ImportDialog>> dialog = ImportDialog::open(assetFolder() / "samples/bracket.json", {});
@@ -228,7 +216,11 @@ std::vector<Shot> scenes() {
             {"probe", panel("probe")},
             {"adapt", panel("adapt")},
             {"parameters", panel("parameters")},
-            {"nodes", showNodes},
+            {"nodes",
+             [](Driver &driver) {
+                 driver.context().actions.run("edit.selectAll", driver.context());
+                 driver.showPanel("nodes");
+             }},
             {"unit", action("edit.unit")},
             {"statistics", panel("statistics")},
             {"checks", panel("checks")},
