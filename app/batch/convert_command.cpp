@@ -11,6 +11,7 @@
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/several_inputs.hpp"
 #include "app/batch/tags_option.hpp"
+#include "app/batch/unit_option.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/number_text.hpp"
@@ -266,6 +267,7 @@ int convertCommand(const CommandLine &line) {
     addOpenOption(app, arguments.form);
     addExtrudeOption(app, arguments.form);
     addTagsOption(app, arguments.form);
+    addUnitOption(app, arguments.form);
     addElevationOption(app, arguments.form.elevation);
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
     app.add_option_function<std::string>(
@@ -291,6 +293,9 @@ int convertCommand(const CommandLine &line) {
     }
     if (wrong.empty()) {
         wrong = checkTags(arguments.form, pairFormats(arguments.outputs, arguments.formats));
+    }
+    if (wrong.empty()) {
+        wrong = checkUnit(arguments.form, pairFormats(arguments.outputs, arguments.formats));
     }
     if (wrong.empty()) {
         wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));

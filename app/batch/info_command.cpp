@@ -71,6 +71,7 @@ struct FileInfo {
     std::vector<std::pair<Parameter, ParameterState>> parameters;
     std::optional<bool> valid;
     std::string hash;
+    LengthUnit unit = LengthUnit::None; ///< of the coordinates
 };
 
 void describeMesh(const MeshFields &file, FileInfo &info) {
@@ -165,6 +166,7 @@ std::string infoText(const InfoArguments &arguments, const FileInfo &info) {
     }
     text += "bounds: (" + shortNumber(info.bounds.min.x) + ", " + shortNumber(info.bounds.min.y) + ") to (" +
             shortNumber(info.bounds.max.x) + ", " + shortNumber(info.bounds.max.y) + ")\n";
+    text += info.unit != LengthUnit::None ? "unit: " + std::string(wordOf(info.unit)) + '\n' : "";
     text += info.area ? "area: " + shortNumber(*info.area) + '\n' : "";
     text += info.regions.empty() ? "" : "regions:\n";
     for (const NamedPart &region : info.regions) {
@@ -211,6 +213,9 @@ std::string infoJson(const InfoArguments &arguments, const FileInfo &info) {
     json.member("kind", info.kind).member("format", info.format);
     json.key("bounds").values(
         std::vector<double>{info.bounds.min.x, info.bounds.min.y, info.bounds.max.x, info.bounds.max.y});
+    if (info.unit != LengthUnit::None) {
+        json.member("unit", wordOf(info.unit));
+    }
     for (const auto &[key, count] : info.counts) {
         json.member(keyOf(key), count);
     }
@@ -270,6 +275,7 @@ Diagnostics describe(const Input &input, const FileFormat &format, FileInfo &inf
         return file.faults();
     }
     describeDomain(file->domain, info);
+    info.unit = file->unit;
     return {};
 }
 

@@ -13,6 +13,7 @@
 #include "app/batch/several_inputs.hpp"
 #include "app/batch/suggestion.hpp"
 #include "app/batch/tags_option.hpp"
+#include "app/batch/unit_option.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -192,6 +193,7 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     addOpenOption(app, arguments.form);
     addExtrudeOption(app, arguments.form);
     addTagsOption(app, arguments.form);
+    addUnitOption(app, arguments.form);
     addElevationOption(app, arguments.form.elevation);
     auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
@@ -280,6 +282,9 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     }
     if (wrong.empty()) {
         wrong = checkTags(arguments.form, pairFormats(arguments.outputs, arguments.formats));
+    }
+    if (wrong.empty()) {
+        wrong = checkUnit(arguments.form, pairFormats(arguments.outputs, arguments.formats));
     }
     if (wrong.empty()) {
         wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));

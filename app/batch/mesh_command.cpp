@@ -15,6 +15,7 @@
 #include "app/batch/report.hpp"
 #include "app/batch/rules_option.hpp"
 #include "app/batch/several_inputs.hpp"
+#include "app/batch/unit_option.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
@@ -44,6 +45,7 @@ struct ReadJob {
     Box2 box;                                 ///< of the domain
     std::optional<BackgroundPicture> picture; ///< of a project
     MeshLimits limits;                        ///< of a project
+    LengthUnit unit = LengthUnit::None;       ///< of the coordinates
 };
 
 /// Reads the domain of any file with its element sizes, and also options if the file is a project.
@@ -53,14 +55,14 @@ Result<ReadJob> readJob(const Input &input, ImportNotes &notes) {
         if (!document) {
             return document.faults();
         }
-        return ReadJob{jobOf(*document), boundsOf(*document), document->picture, document->limits};
+        return ReadJob{jobOf(*document), boundsOf(*document), document->picture, document->limits, document->unit};
     }
     Result<DomainFile> file = allFormats().readDomain(input.path, input.options, &notes);
     if (!file) {
         return file.faults();
     }
     const Box2 box = file->domain.bounds();
-    return ReadJob{{std::move(file->domain), std::move(file->spacing), {}}, box, {}, {}};
+    return ReadJob{{std::move(file->domain), std::move(file->spacing), {}}, box, {}, {}, file->unit};
 }
 
 /// Returns what is wrong with the options of a picture as spacing file; empty if nothing is.
@@ -239,7 +241,7 @@ Diagnostics scaleToTarget(std::uint64_t target, MeshingJob &job, const Progress 
 
 /// Writes the meshes and the statistics, all of them or none. Returns the errors or, if there are none, notes on what
 /// the formats changed.
-Diagnostics writeResults(const MeshArguments &arguments, const Mesh &outcome, const RunReport &report,
+Diagnostics writeResults(const MeshArguments &arguments, LengthUnit unit, const Mesh &outcome, const RunReport &report,
                          const Progress &progress) {
     MeshView mesh(outcome);
     std::vector<double> elevations;
@@ -253,8 +255,8 @@ Diagnostics writeResults(const MeshArguments &arguments, const Mesh &outcome, co
         mesh.elevations = elevations;
     }
     FileSet files;
-    Diagnostics notes =
-        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.form, progress);
+    Diagnostics notes = writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh,
+                                     withUnitOf(unit, arguments.form), progress);
     if (hasErrors(notes)) {
         return notes;
     }
@@ -390,7 +392,7 @@ int runMesh(const MeshArguments &arguments) {
     printFaults(largeElements(outcome->mesh, job->domain, job->spacing.placed.regions));
     RunReport report = reportOf(*outcome, job->options);
     report.input = arguments.input.string();
-    faults = bar.during({}, [&] { return writeResults(arguments, outcome->mesh, report, progress); });
+    faults = bar.during({}, [&] { return writeResults(arguments, read->unit, outcome->mesh, report, progress); });
     if (hasErrors(faults)) {
         return refuse(faults, interrupt);
     }

@@ -94,6 +94,7 @@ ExportOptions exportOptionsOf(const MeshForm &form, const MeshView &mesh) {
     ExportOptions options;
     options.extrusion = form.extrusion;
     options.keepTags = form.keepTags;
+    options.unit = form.unit.value_or(LengthUnit::None);
     const Parts parts = form.open.empty() ? Parts() : tagsOf(mesh).edges;
     for (const std::string &name : form.open) {
         for (const auto &[tag, given] : parts) {

@@ -45,6 +45,7 @@ int runEditor(const EditorArguments &arguments) {
     setup.judge = arguments.judge;
     setup.sample = false;
     setup.startPage = true;
+    setup.reopens = true;
     setup.stateFile = arguments.stateFile.value_or(std::filesystem::path());
     Editor editor(*platform, setup);
     while (editor.running()) {

@@ -44,8 +44,11 @@ Result<DomainFile> inDrawnOrder(const SourceText &source, DomainFile file) {
 
 template <Result<Domain> (*Read)(const SourceText &)>
 Result<DomainFile> readInChainOrder(const SourceText &source) {
-    Result<Domain> domain = Read(source);
-    return domain ? inDrawnOrder(source, DomainFile{std::move(*domain), {}}) : domain.faults();
+    LengthUnit unit = LengthUnit::None;
+    SourceText measured = source;
+    measured.unit = &unit;
+    Result<Domain> domain = Read(measured);
+    return domain ? inDrawnOrder(source, DomainFile{std::move(*domain), {}, unit}) : domain.faults();
 }
 
 template <Result<DomainFile> (*Read)(const SourceText &)>
@@ -60,7 +63,7 @@ Result<DomainFile> readProjectDomain(const SourceText &source) {
         return document.faults();
     }
     MeshingJob job = jobOf(*document);
-    return DomainFile{std::move(job.domain), std::move(job.spacing)};
+    return DomainFile{std::move(job.domain), std::move(job.spacing), document->unit};
 }
 
 /// Returns the description of a map that the component forefront-gdal reads.

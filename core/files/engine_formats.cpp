@@ -54,12 +54,10 @@ constexpr const char *kVtuData =
     "edges and points as cells of their own; their names are field data, one array for each name.";
 constexpr const char *kVtkData =
     "Keeps regions, boundary parts and points as their numbers in the cell arrays region, boundary and MaterialID, "
-    "with "
-    "boundary edges and points as cells of their own; their names are those of look-up tables.";
+    "with boundary edges and points as cells of their own; their names are those of look-up tables.";
 
 /// Returns the common description of all Gmsh formats.
 constexpr Format gmsh(const char *id, const char *name, const char *program,
-                      void (*write)(const MeshView &, TextWriter &),
                       void (*writeWith)(const MeshView &, const ExportOptions &, TextWriter &)) {
     return {.about = {.id = id,
                       .name = name,
@@ -72,13 +70,13 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
                       .holds = kAllCells,
                       .tellsTagsApart = true,
                       .holdsElevations = true,
+                      .namesUnit = true,
                       .program = program,
                       .keeps = kGroups},
             .recognise = looksLikeMsh,
             .readMesh = readMsh,
             .readSpacing = readMshSpacing,
             .readFields = readMshFields,
-            .writeMesh = write,
             .writeWith = writeWith,
             .noteChanges = [](const MeshView &mesh) { return noteMshChanges(mesh, false); },
             .noteKeptChanges = [](const MeshView &mesh) { return noteMshChanges(mesh, true); }};
@@ -127,17 +125,19 @@ constexpr std::array kFormats = {
                      .kind = FileKind::Drawing,
                      .writesMesh = true,
                      .holds = kAllCells,
+                     .namesUnit = true,
                      .keeps = "A drawing of the mesh; cannot be read back as a mesh."},
-           .writeMesh = writeSvg},
+           .writeWith = writeSvgWith},
     Format{.about = {.id = "dxf",
                      .name = "DXF drawing",
                      .extension = ".dxf",
                      .kind = FileKind::CadDrawing,
                      .writesMesh = true,
                      .holds = kFirstOrder,
+                     .namesUnit = true,
                      .keeps = "Keeps elements as faces, boundary parts as polylines and points, each on the layer of "
                               "its name. Read back, the polylines are a drawing."},
-           .writeMesh = writeDxf,
+           .writeWith = writeDxfWith,
            .noteChanges = noteDxfChanges},
     Format{.about = {.id = "dxf-outline",
                      .name = "DXF drawing, outline",
@@ -145,13 +145,14 @@ constexpr std::array kFormats = {
                      .kind = FileKind::CadDrawing,
                      .writesMesh = true,
                      .holds = kAllCells,
+                     .namesUnit = true,
                      .keeps = "Keeps boundary parts as polylines with arcs, and points, on the layers of their names; "
                               "elements are left out."},
-           .writeMesh = writeDxfOutline,
+           .writeWith = writeDxfOutlineWith,
            .noteChanges = noteDxfChanges},
-    withSolids(gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2, writeMsh2With), writeMsh2Solid),
-    gmsh("msh41", "Gmsh MSH 4.1", "Gmsh", writeMsh4, writeMsh4With),
-    gmsh("msh41-binary", "Gmsh MSH 4.1, binary", "", writeMsh4Binary, writeMsh4BinaryWith),
+    withSolids(gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2With), writeMsh2Solid),
+    gmsh("msh41", "Gmsh MSH 4.1", "Gmsh", writeMsh4With),
+    gmsh("msh41-binary", "Gmsh MSH 4.1, binary", "", writeMsh4BinaryWith),
     Format{.about = {.id = "vtu",
                      .name = "VTK unstructured grid",
                      .extension = ".vtu",
@@ -237,12 +238,13 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .holds = kAbaqusCells,
                      .holdsSolids = true,
+                     .namesUnit = true,
                      .program = "CalculiX",
                      .keeps = "Keeps regions as element sets, boundary parts as node sets and surfaces, points as node "
                               "sets, all with names that the solver accepts. Elements are CPS3."},
            .recognise = looksLikeAbaqus,
            .readMesh = readAbaqus,
-           .writeMesh = writeAbaqus,
+           .writeWith = writeAbaqusWith,
            .noteChanges = noteAbaqusChanges,
            .writeSolid = writeAbaqusSolid},
     Format{.about = {.id = "su2",

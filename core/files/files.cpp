@@ -28,7 +28,9 @@ const Format *meshFormat(const std::filesystem::path &path, std::string_view id)
 /// Writes a mesh, extruded if the options say so.
 void writeText(const Format &format, const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
     if (options.extrusion) {
-        format.writeSolid(SolidMesh(mesh, *options.extrusion), out);
+        SolidMesh solid(mesh, *options.extrusion);
+        solid.unit = options.unit;
+        format.writeSolid(solid, out);
     } else {
         format.write(mesh, options, out);
     }

@@ -30,7 +30,8 @@ struct Format {
     Result<Raster> (*readRaster)(const SourceText &) = nullptr;     ///< values of any sign
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
     void (*writeMesh)(const MeshView &, TextWriter &) = nullptr;
-    /// Writes a mesh, in place of writeMesh, for formats that tell open boundaries from land or tags apart; else null.
+    /// Writes a mesh, in place of writeMesh, for formats in which the options change something; else
+    /// null.
     void (*writeWith)(const MeshView &, const ExportOptions &, TextWriter &) = nullptr;
     /// Returns notes on changes that the format makes to the mesh, such as to names; null: it makes none.
     Diagnostics (*noteChanges)(const MeshView &) = nullptr;

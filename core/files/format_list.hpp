@@ -67,6 +67,8 @@ struct FileFormat {
     bool solidsOnly = false;
     /// It holds elevations of nodes; see MeshView::elevations.
     bool holdsElevations = false;
+    /// Its files name the unit of the coordinates; see ExportOptions::unit.
+    bool namesUnit = false;
     /// All elements of a file are of one kind.
     bool oneElementKind = false;
     /// Extensions of the files that a mesh is written to, for formats of several files; empty: one file.

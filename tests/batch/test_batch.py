@@ -1872,6 +1872,21 @@ class Telling(Case):
         self.assertGreater(told["parameters"]["r"]["value"], 0)
         self.assertIn("parameters:\n", self.call("info", bracket).stdout)
 
+    def test_the_unit_of_a_drawing_goes_from_file_to_file(self):
+        self.call("mesh", "plate.poly", "-o", "plate.dxf", "-o", "plate.svg", "-o", "plate.inp", "--unit", "cm")
+        self.assertIn("$INSUNITS\n70\n5\n", self.read("plate.dxf"))
+        self.assertIn("** Unit of the coordinates: cm\n", self.read("plate.inp"))
+        self.assertRegex(self.read("plate.svg"), r' width="40\.8mm" ')
+        self.assertEqual(self.info("plate.dxf")["unit"], "cm")
+        self.assertIn("unit: cm\n", self.call("info", "plate.dxf").stdout)
+        self.call("mesh", "plate.dxf", "-o", "again.msh", "--size", "1")
+        self.assertTrue(self.read("again.msh").endswith("$Comments\nUnit of the coordinates: cm\n$EndComments\n"))
+        self.call("convert", "again.msh", "-o", "feet.inp", "--unit", "ft")
+        self.assertIn("coordinates: ft\n", self.read("feet.inp"))
+        self.assertNotIn("unit", self.info("plate.poly"))
+        self.assertIn("no output names a unit", self.call("mesh", "plate.poly", "-o", "a.vtu", "--unit", "m", code=2).stderr)
+        self.assertIn("--unit", self.call("mesh", "plate.poly", "-o", "a.dxf", "--unit", "ell", code=2).stderr)
+
     def test_samples_are_driven_by_their_parameters(self):
         samples = pathlib.Path(__file__).parents[2] / "assets" / "samples"
         for name, settings, span in (("cylinder", ["L=30", "H=6", "D=1.5"], (30.0, 6.0)),

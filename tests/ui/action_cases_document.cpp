@@ -91,6 +91,7 @@ std::vector<ActionCase> editCases() {
          [](D &d, const B &) { return d.document().shapes[0]->kind() == ShapeKind::Polygon; }},
         {"edit.repair", drawCrossing, [](D &d, const B &) { return d.context().preview->faults.empty(); }},
         {"edit.clearPaint", paintSpot, [](D &d, const B &) { return d.document().spacing.paint.tiles.empty(); }},
+        {"edit.unit", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "unit"); }},
         {"edit.preferences", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "preferences"); }}};
 }
 

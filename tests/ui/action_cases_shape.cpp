@@ -208,6 +208,19 @@ std::vector<ActionCase> visibilityCases() {
              },
              [](D &d, const B &) { return d.document().shapes[1]->hidden && !d.document().shapes[0]->hidden; }},
             {"shape.showAll", hidden, [](D &d, const B &) { return !d.document().shapes[0]->hidden; }},
+            {"shape.group",
+             [](D &d) {
+                 drawThree(d);
+                 d.key('A', {Modifiers::kControl});
+             },
+             [](D &d, const B &) { return d.document().shapes[0]->group != 0; }},
+            {"shape.ungroup",
+             [](D &d) {
+                 drawThree(d);
+                 d.key('A', {Modifiers::kControl});
+                 d.key('G', {Modifiers::kControl});
+             },
+             [](D &d, const B &) { return d.document().shapes[0]->group == 0 && d.undoLabel() == "Ungroup"; }},
             {"shape.lock", drawTriangle, [](D &d, const B &) { return d.document().shapes[0]->locked; }},
             {"shape.unlockAll", locked, [](D &d, const B &) { return !d.document().shapes[0]->locked; }}};
 }

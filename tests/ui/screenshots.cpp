@@ -216,6 +216,12 @@ std::vector<Shot> scenes() {
             {"probe", panel("probe")},
             {"adapt", panel("adapt")},
             {"parameters", panel("parameters")},
+            {"nodes",
+             [](Driver &driver) {
+                 driver.context().actions.run("edit.selectAll", driver.context());
+                 driver.showPanel("nodes");
+             }},
+            {"unit", action("edit.unit")},
             {"statistics", panel("statistics")},
             {"checks", panel("checks")},
             {"log", panel("log")},

@@ -389,7 +389,8 @@ TEST_CASE("Picture: a distance that is not positive or has a unit is refused bes
     CHECK(driver.has("options/picture/width/fault"));
     driver.fill("options/picture/width", "500 m");
     CHECK(pictureOf(driver) == before);
-    CHECK(lastMessage(driver) == "expected a number, got '500 m': numbers have no units; enter 500 alone");
+    CHECK(lastMessage(driver) ==
+          "expected a number, got '500 m': the drawing has no unit; enter 500 alone, or choose Edit > Unit");
 }
 
 TEST_CASE("Picture: damaged, huge and other files are refused with a reason") {

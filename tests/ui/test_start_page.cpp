@@ -1,3 +1,4 @@
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/driver.hpp"
@@ -6,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -100,6 +102,44 @@ TEST_CASE("Start page: it fits into windows of any size and scale") {
         CHECK(page.y + page.height <= canvas.y + canvas.height);
         CHECK(driver.context().widgets.find("start/new")->visible);
     }
+}
+
+TEST_CASE("Last drawing: it comes back at the next start without a file, unless that is turned off or it is gone") {
+    const testing::TemporaryFolder place;
+    const std::filesystem::path file = place / "plate.forefront";
+    Shape shape;
+    shape.nodes = {{0, 0}, {3, 0}, {3, 2}};
+    const Document drawing = *addShape({}, shape);
+    REQUIRE(writeProject(file, drawing).empty());
+    EditorSetup setup = withStartPage(place.path);
+    setup.reopens = true;
+    {
+        Driver driver(setup);
+        CHECK(driver.has("start"));
+        REQUIRE(driver.editor().open(file));
+        driver.settle();
+    }
+    {
+        Driver driver(setup);
+        driver.settle();
+        CHECK_FALSE(driver.has("start"));
+        CHECK(driver.context().document.path() == file);
+        CHECK(driver.context().document.current()->shapes.size() == 1);
+        CHECK_FALSE(driver.context().document.dirty());
+        driver.context().settings.reopens = false;
+        driver.settle();
+    }
+    {
+        Driver driver(setup);
+        CHECK(driver.has("start"));
+        CHECK(driver.context().document.path().empty());
+        driver.context().settings.reopens = true;
+        REQUIRE(driver.editor().open(file));
+        driver.settle();
+    }
+    std::filesystem::remove(file);
+    Driver driver(setup);
+    CHECK(driver.has("start"));
 }
 
 } // namespace forefront::test

@@ -296,7 +296,8 @@ TEST_CASE("Formats: what the list says of a format agrees with its functions") {
         CHECK(about.writesMesh == !std::string(about.keeps).empty());
         CHECK((!about.readsMesh || about.kind == FileKind::Mesh));
         CHECK((about.kind != FileKind::Mesh || about.readsMesh || about.writesMesh));
-        CHECK((format.writeWith == nullptr || about.hasOpenBoundaries || about.tellsTagsApart));
+        CHECK((format.writeWith == nullptr || about.hasOpenBoundaries || about.tellsTagsApart || about.namesUnit));
+        CHECK((!about.namesUnit || format.writeWith != nullptr));
         CHECK(about.tellsTagsApart == (format.noteKeptChanges != nullptr));
         CHECK((!about.hasOpenBoundaries || format.writeWith != nullptr || format.writeFiles != nullptr));
         CHECK(about.readsSpacing >= (format.readRaster != nullptr));

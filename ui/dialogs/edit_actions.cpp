@@ -13,6 +13,7 @@
 #include "ui/dialogs/preferences_dialog.hpp"
 #include "ui/dialogs/repair_dialog.hpp"
 #include "ui/dialogs/shape_actions.hpp"
+#include "ui/dialogs/unit_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/joined_command.hpp"
@@ -397,6 +398,7 @@ void addEditActions(ActionRegistry &actions) {
     addSelectionActions(actions);
     addNamingActions(actions);
     addShapeActions(actions);
+    addUnitAction(actions);
     actions.add({.id = "edit.preferences",
                  .menu = "Edit",
                  .title = "Preferences\xe2\x80\xa6",

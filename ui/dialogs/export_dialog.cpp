@@ -171,14 +171,16 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
     if (!mesh) {
         return error("no-mesh", "no finished mesh to export", "mesh the drawing first");
     }
-    const auto job = [mesh, file, innerEdges, format = filter.id](const Progress &progress) {
+    ExportOptions options;
+    options.unit = context.document.current()->unit;
+    const auto job = [mesh, file, innerEdges, options, format = filter.id](const Progress &progress) {
         const Mesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->view()) : Mesh();
         const MeshView kept = innerEdges == InnerEdges::Drop ? MeshView(outline) : mesh->view();
         const bool renumbers = usualNumbering(file, format) != Numbering::Creation;
         const Mesh numbered = renumbers ? renumbered(kept, reverseCuthillMcKee(kept)) : Mesh();
         const MeshView exported = renumbers ? MeshView(numbered) : kept;
-        const Status written = writeMesh(file, exported, format, progress);
-        return hasErrors(written) ? written : exportNotes(file, exported, format);
+        const Status written = writeMesh(file, exported, format, progress, options);
+        return hasErrors(written) ? written : exportNotes(file, exported, format, options);
     };
     const auto exported = std::make_shared<MeshExport>(MeshExport{mesh, file, filter.id, innerEdges});
     const auto done = [exported, file, format = filter.id, elements = elementsInWords(mesh->view())](Shell &c) {

@@ -234,6 +234,7 @@ void ImportDialog::preview(Shell &context) {
     if (!start_) {
         context.document.endStroke();
         start_ = context.document.current();
+        scale_ = conversion(drawing_.unit, start_->unit).value_or(scale_);
         selection_ = context.selection;
         stroke_ = "import " + std::to_string(context.document.revision());
     } else if (shownReads_ == reads_ && shownScale_ == scale_) {
@@ -315,8 +316,9 @@ void ImportDialog::drawUnit(Shell &context) {
         ImGui::SameLine();
     }
     ImGui::NewLine();
-    if (!contents_.unit.empty()) {
-        ui::field(context, "Unit in file", contents_.unit, kLabels);
+    if (!contents_.unit.empty() || drawing_.unit != LengthUnit::None) {
+        ui::field(context, "Unit in file",
+                  contents_.unit.empty() ? std::string(pluralOf(drawing_.unit)) : contents_.unit, kLabels);
     }
     ui::field(context, "Size after import", extent(boundsOf(drawing_), scale_), kLabels);
 }

@@ -99,7 +99,8 @@ void OperationDialog::drawField(Shell &context, std::size_t index) {
     }
     switch (field.kind) {
     case OperationField::Kind::Number:
-        ui::inputExpression(context, name, value, entries_.formulas[index], kOperationField);
+        ui::inputExpression(context, name, value, entries_.formulas[index], kOperationField,
+                            field.isLength ? context.document.current()->unit : LengthUnit::None);
         break;
     case OperationField::Kind::Choice: {
         int choice = static_cast<int>(value);

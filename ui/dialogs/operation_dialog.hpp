@@ -26,6 +26,7 @@ struct OperationField {
     const char *tooltip = "";
     Kind kind = Kind::Number;
     std::vector<const char *> choices{};
+    bool isLength = false; ///< of a number: it is in the unit of the document
 };
 
 /// An operation on the selection that asks for numbers.

@@ -114,6 +114,8 @@ void PreferencesDialog::drawAppearance(Shell &context) {
     ui::checkbox(context, "dialog/preferences/hints", "Show hints on the canvas", settings.hints);
     ui::rowLabel(context, "Motion", kLabel);
     ui::checkbox(context, "dialog/preferences/reducemotion", "Reduce motion", settings.reduceMotion);
+    ui::rowLabel(context, "At the start", kLabel);
+    ui::checkbox(context, "dialog/preferences/reopens", "Open the last drawing", settings.reopens);
     ui::rowLabel(context, "Rulers", kLabel);
     if (ui::checkbox(context, "dialog/preferences/rulers", "Show rulers along the canvas", settings.rulers)) {
         context.animate();

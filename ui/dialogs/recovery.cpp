@@ -129,9 +129,8 @@ void Recovery::follow(Shell &context) {
     const std::uint64_t revision = context.document.revision();
     const bool dirty = context.document.dirty();
     std::optional<Shape> path = context.tools.current().unfinished();
-    std::vector<Vec2> nodes = path ? path->nodes : std::vector<Vec2>();
-    if (revision != revision_ || dirty != dirty_ || nodes != path_) {
-        path_ = std::move(nodes);
+    if (revision != revision_ || dirty != dirty_ || path != path_) {
+        path_ = path;
         if (dirty || path) {
             const std::shared_ptr<const Document> document = context.document.current();
             journal_.record(path ? withPath(document, *std::move(path)) : document,

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "core/drawing/document/shape.hpp"
 #include "core/drawing/recovery/recovery_journal.hpp"
-#include "core/engine/base/vec2.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,7 @@ class Recovery {
     std::vector<Orphan> orphans_;
     std::uint64_t revision_ = 0;
     bool dirty_ = false;
-    std::vector<Vec2> path_;                 ///< nodes of the unfinished path that is recorded with the document
+    std::optional<Shape> path_;              ///< the unfinished path that is recorded with the document
     double nextLook_ = 0.0, lastLook_ = 0.0; ///< for journals that were locked at the start, seconds
 };
 

@@ -13,6 +13,7 @@
 #include "ui/dialogs/clipboard_actions.hpp"
 #include "ui/dialogs/combine_action.hpp"
 #include "ui/dialogs/constraint_actions.hpp"
+#include "ui/dialogs/group_actions.hpp"
 #include "ui/dialogs/operation_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -43,8 +44,8 @@ Operation transformOperation() {
     Operation operation;
     operation.id = "transform";
     operation.title = "Transform";
-    operation.fields = {{.id = "x", .label = "Move x"},
-                        {.id = "y", .label = "Move y"},
+    operation.fields = {{.id = "x", .label = "Move x", .isLength = true},
+                        {.id = "y", .label = "Move y", .isLength = true},
                         {.id = "angle", .label = "Rotate", .tooltip = "Angle in degrees, counter-clockwise"},
                         {.id = "scalex", .label = "Scale x (%)", .value = 100.0},
                         {.id = "scaley", .label = "Scale y (%)", .value = 100.0},
@@ -74,10 +75,17 @@ Operation linearArrayOperation(const Shell &context) {
     Operation operation;
     operation.id = "lineararray";
     operation.title = "Linear array";
-    operation.fields = {
-        {.id = "count", .label = "Number", .value = 3.0, .tooltip = "Including the original"},
-        {.id = "x", .label = "Step x", .value = step.x, .tooltip = "Distance from one copy to the next along x"},
-        {.id = "y", .label = "Step y", .value = step.y, .tooltip = "Distance from one copy to the next along y"}};
+    operation.fields = {{.id = "count", .label = "Number", .value = 3.0, .tooltip = "Including the original"},
+                        {.id = "x",
+                         .label = "Step x",
+                         .value = step.x,
+                         .tooltip = "Distance from one copy to the next along x",
+                         .isLength = true},
+                        {.id = "y",
+                         .label = "Step y",
+                         .value = step.y,
+                         .tooltip = "Distance from one copy to the next along y",
+                         .isLength = true}};
     operation.run = [](const Document &document, const Selection &selection, const std::vector<double> &values,
                        Selection *made) {
         return linearArray(document, selection, values[0], {values[1], values[2]}, made);
@@ -100,7 +108,7 @@ Operation polarArrayOperation(const Shell &context) {
                          .label = "Centre x",
                          .value = centre.x,
                          .tooltip = "Default: the centre of the drawing, or a point beside the selection"},
-                        {.id = "y", .label = "Centre y", .value = centre.y},
+                        {.id = "y", .label = "Centre y", .value = centre.y, .isLength = true},
                         {.id = "angle",
                          .label = "Angle",
                          .value = 360.0,
@@ -122,7 +130,8 @@ Operation lengthOperation(const Shell &context, const char *id, const char *titl
     Operation operation;
     operation.id = id;
     operation.title = title;
-    operation.fields = {{.id = "size", .label = label, .value = roundedTo(0.05 * size, 2), .tooltip = tooltip}};
+    operation.fields = {
+        {.id = "size", .label = label, .value = roundedTo(0.05 * size, 2), .tooltip = tooltip, .isLength = true}};
     return operation;
 }
 
@@ -391,6 +400,7 @@ void addShapeActions(ActionRegistry &actions) {
     addCorners(actions);
     addShapeOperations(actions);
     addConstraintActions(actions);
+    addGroupActions(actions);
     addVisibilities(actions);
 }
 

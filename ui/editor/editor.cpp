@@ -78,6 +78,17 @@ bool Editor::Parts::keySharesFrame(const InputEvent &event) const {
     return canvasHasKeys && (isArrow || context.actions.repeats(event.code));
 }
 
+namespace {
+
+/// Returns true if the drawing that was open last is to be opened again, and is still there.
+bool reopensLast(const Settings &settings) {
+    std::error_code ignored;
+    return settings.reopens && !settings.lastFile.empty() &&
+           std::filesystem::is_regular_file(settings.lastFile, ignored);
+}
+
+} // namespace
+
 Editor::Editor(Platform &platform, EditorSetup options)
     : parts_(std::make_unique<Parts>(platform, std::move(options))) {
     Shell &c = parts_->context;
@@ -103,6 +114,8 @@ Editor::Editor(Platform &platform, EditorSetup options)
         openMesh(c, parts_->options.file);
     } else if (!parts_->options.file.empty()) {
         openDocument(c, parts_->options.file);
+    } else if (parts_->options.reopens && reopensLast(c.settings)) {
+        openDocument(c, c.settings.lastFile);
     } else if (parts_->options.sample) {
         openFirstSample(c);
     }

@@ -10,10 +10,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -88,20 +91,34 @@ class DimensionsLayer final : public Layer {
     }
 
   private:
+    /// The places and the shape by which a dimension and the constraint that drives it are the same.
+    using Key = std::tuple<double, double, double, double, std::uint32_t>;
+
+    /// Returns the key of a length between two places, in either order.
+    static Key lengthKey(Vec2 a, Vec2 b) {
+        const auto [low, high] = std::minmax({std::pair(a.x, a.y), std::pair(b.x, b.y)});
+        return {low.first, low.second, high.first, high.second, 0};
+    }
+
+    static Key radiusKey(Vec2 centre, std::uint32_t shape) { return {centre.x, centre.y, 0.0, 0.0, shape}; }
+
     /// Finds the dimensions that constraints drive, which the layer Sketch draws.
     void findDriving(const Document &document) {
-        driving_.assign(dimensions_.size(), false);
+        std::set<Key> lengths, radii;
         for (const auto &constraint : document.constraints) {
             const std::optional<DimensionFigure> figure = dimensionFigure(document, *constraint);
-            for (std::size_t k = 0; figure && k < dimensions_.size(); ++k) {
-                const Dimension &own = dimensions_[k];
-                const bool ends = (own.from == figure->from && own.to == figure->to) ||
-                                  (own.from == figure->to && own.to == figure->from);
-                const bool length = own.kind == DimensionKind::Length && constraint->kind == ConstraintKind::Length;
-                const bool radius = own.kind == DimensionKind::Radius && figure->form == DimensionFigure::Form::Radial;
-                driving_[k] = driving_[k] || (length && ends) ||
-                              (radius && own.from == figure->from && own.shape == constraint->parts[0].shape);
+            if (figure && constraint->kind == ConstraintKind::Length) {
+                lengths.insert(lengthKey(figure->from, figure->to));
             }
+            if (figure && figure->form == DimensionFigure::Form::Radial) {
+                radii.insert(radiusKey(figure->from, constraint->parts[0].shape));
+            }
+        }
+        driving_.assign(dimensions_.size(), false);
+        for (std::size_t k = 0; k < dimensions_.size(); ++k) {
+            const Dimension &own = dimensions_[k];
+            driving_[k] = (own.kind == DimensionKind::Length && lengths.contains(lengthKey(own.from, own.to))) ||
+                          (own.kind == DimensionKind::Radius && radii.contains(radiusKey(own.from, own.shape)));
         }
     }
 

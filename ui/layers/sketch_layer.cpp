@@ -198,18 +198,22 @@ class SketchLayer final : public Layer {
         }
     }
 
-    /// Draws the determined segments and nodes, and the parts of constraints that do not hold.
-    void drawColours(CanvasPainter &painter, const LayerFrame &frame) const {
-        const SketchState *const state = frame.preview.sketch.get();
-        if (state == nullptr) {
+    /// Finds what is determined, once for each state of the sketch and document.
+    void updateDetermined(const LayerFrame &frame) {
+        const std::shared_ptr<const SketchState> &state = frame.preview.sketch;
+        if (colouredState_ == state && colouredRevision_ == frame.revision) {
             return;
         }
-        std::size_t drawn = 0;
+        colouredState_ = state;
+        colouredRevision_ = frame.revision;
+        curves_.clear();
+        dots_.clear();
+        std::size_t taken = 0;
         const Shape *shape = nullptr;
         Outline outline;
         std::vector<Vec2> handles;
         for (const auto &[part, determined] : state->determined) { // by shape
-            if (!determined || ++drawn > kMaxColoured) {
+            if (!determined || ++taken > kMaxColoured) {
                 continue;
             }
             if (shape == nullptr || shape->id != part.shape) {
@@ -218,13 +222,28 @@ class SketchLayer final : public Layer {
                 handles = shape != nullptr && !shape->hidden ? handlesOf(*shape) : std::vector<Vec2>();
             }
             if (part.kind == SketchPartKind::Node && part.index < handles.size()) {
-                painter.dot(handles[part.index], 2.5, frame.theme.determined);
+                dots_.push_back(handles[part.index]);
             }
             for (std::size_t k = 0; part.kind == SketchPartKind::Segment && k < outline.segmentCount(); ++k) {
                 if (outline.part(k) == part.index) {
-                    painter.curve(outline.curve(k), frame.theme.determined, 2.0);
+                    curves_.push_back(outline.curve(k));
                 }
             }
+        }
+    }
+
+    /// Draws the determined segments and nodes, and the parts of constraints that do not hold.
+    void drawColours(CanvasPainter &painter, const LayerFrame &frame) {
+        const SketchState *const state = frame.preview.sketch.get();
+        if (state == nullptr) {
+            return;
+        }
+        updateDetermined(frame);
+        for (const Curve &curve : curves_) {
+            painter.curve(curve, frame.theme.determined, 2.0);
+        }
+        for (const Vec2 dot : dots_) {
+            painter.dot(dot, 2.5, frame.theme.determined);
         }
         for (const Item &item : items_) {
             if (state->violated.contains(item.constraint->id)) {
@@ -237,6 +256,10 @@ class SketchLayer final : public Layer {
 
     std::vector<Item> items_; ///< of the document with revision_
     std::uint64_t revision_ = 0;
+    std::vector<Curve> curves_; ///< determined segments, of colouredState_ and the document with colouredRevision_
+    std::vector<Vec2> dots_;    ///< determined nodes
+    std::shared_ptr<const SketchState> colouredState_;
+    std::uint64_t colouredRevision_ = 0;
     bool legend_ = false; ///< shown in the last frame
 };
 

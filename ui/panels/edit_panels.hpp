@@ -18,6 +18,8 @@ std::unique_ptr<Panel> makeRulesPanel();
 std::unique_ptr<Panel> makeNamesPanel();
 /// Lists shapes by boundary part, and regions; hides, locks and selects them.
 std::unique_ptr<Panel> makeShapesPanel();
+/// Lists the nodes of the selected shapes or of all, edits their places, copies and pastes them as a table.
+std::unique_ptr<Panel> makeNodesPanel();
 /// Edits the parameters: named values that number fields can use.
 std::unique_ptr<Panel> makeParametersPanel();
 /// Lists the faults of the drawing, with links to their locations and a button to repair them.

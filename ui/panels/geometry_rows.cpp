@@ -81,7 +81,7 @@ void diameterRow(Shell &context, const Shape &circle) {
     std::string formula = given != document.formulas.end() ? diameterIn(given->second) : std::string();
     double diameter = 2.0 * circleRadius(circle);
     form::label(context, "Diameter");
-    if (ui::inputExpression(context, "inspector/diameter", diameter, formula)) {
+    if (ui::inputExpression(context, "inspector/diameter", diameter, formula, -1.0F, document.unit)) {
         Result<Document> next = setRadius(document, circle.id, 0.5 * diameter);
         if (next) {
             next = setFormula(*std::move(next), address, formula.empty() ? formula : '(' + formula + ")/2");
@@ -189,9 +189,10 @@ void geometryRows(Shell &context, const Shape &shape) {
     if (shape.is<PointForm>()) {
         return;
     }
-    ui::field(context, "Length", ui::grouped(lengthOf(shape)), form::kLabel);
+    const std::string unit = unitSuffix(context.document.current()->unit);
+    ui::field(context, "Length", ui::grouped(lengthOf(shape)) + unit, form::kLabel);
     if (isClosed(shape)) {
-        ui::field(context, "Area", ui::grouped(areaOf(shape)), form::kLabel);
+        ui::field(context, "Area", ui::grouped(areaOf(shape)) + (unit.empty() ? "" : unit + "\xc2\xb2"), form::kLabel);
     }
 }
 
@@ -199,9 +200,10 @@ namespace {
 
 /// Draws the length of a straight part or of an arc of a rectangle with rounded corners, and the number that sets it.
 void roundedSegmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
-    ui::field(context, "Length", ui::grouped(partLengths(shape)[ref.segment].length), form::kLabel);
+    const std::string unit = unitSuffix(context.document.current()->unit);
+    ui::field(context, "Length", ui::grouped(partLengths(shape)[ref.segment].length) + unit, form::kLabel);
     if (isRoundedCorner(shape, ref.segment)) {
-        ui::field(context, "Radius", ui::grouped(shape.as<RectangleForm>().radius), form::kLabel);
+        ui::field(context, "Radius", ui::grouped(shape.as<RectangleForm>().radius) + unit, form::kLabel);
         return;
     }
     const bool across = ref.segment % 2 == 0;
@@ -231,7 +233,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
                                  addressOf(shape, Quantity::ArcRadius, ref.segment))) {
             context.applyCommand(setArcRadius(document, ref, radius), "Change radius");
         }
-        ui::field(context, "Length", ui::grouped(curve.length()), form::kLabel);
+        ui::field(context, "Length", ui::grouped(curve.length()) + unitSuffix(document.unit), form::kLabel);
         return;
     }
     const std::vector<Vec2> handles = handlesOf(shape);
@@ -248,7 +250,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
     }
     form::label(context, "Length");
     std::string formula;
-    if (ui::inputExpression(context, "inspector/length", size, formula)) {
+    if (ui::inputExpression(context, "inspector/length", size, formula, -1.0F, document.unit)) {
         Result<Document> next = setSegmentLength(document, ref, size);
         if (next) {
             next = followLength(*std::move(next), ref, formula);

@@ -21,6 +21,7 @@ std::vector<std::unique_ptr<Panel>> makePanels() {
     panels.push_back(makeLogPanel());
     panels.push_back(makeShapesPanel());
     panels.push_back(makeParametersPanel());
+    panels.push_back(makeNodesPanel());
     panels.push_back(makeNamesPanel());
     panels.push_back(makeHistoryPanel());
     return panels;

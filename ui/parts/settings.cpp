@@ -233,6 +233,8 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     readMaps(json, settings);
     readWorkspaces(json, settings);
     settings.recentFiles = textsIn(json, "recentFiles", 12);
+    settings.reopens = boolIn(json, "reopens", settings.reopens);
+    settings.lastFile = textIn(json, "lastFile");
     settings.window = placeIn(json);
     return settings;
 }
@@ -275,6 +277,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
         json.member("columnWidth", *settings.panelWidth);
     }
     json.member("hints", settings.hints).member("rulers", settings.rulers);
+    json.member("reopens", settings.reopens).member("lastFile", settings.lastFile);
     json.member("reduceMotion", settings.reduceMotion);
     json.member("live", settings.live).member("liveBudget", settings.liveBudget);
     json.member("panels", settings.panels);

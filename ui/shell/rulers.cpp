@@ -171,6 +171,29 @@ void followRulerDrag(Shell &context) {
     context.animate();
 }
 
+/// Writes the unit of the document where the rulers meet; a click there changes it.
+void drawUnit(Shell &context, const PixelRect &corner) {
+    const LengthUnit unit = context.document.current()->unit;
+    ImGui::SetCursorScreenPos({static_cast<float>(corner.x), static_cast<float>(corner.y)});
+    const bool pressed = ui::hitArea("unit", static_cast<float>(corner.width), static_cast<float>(corner.height));
+    ui::tooltip(context, unit == LengthUnit::None ? std::string("The drawing has no unit")
+                                                  : "Coordinates are in " + std::string(pluralOf(unit)));
+    ui::markRect(context, "canvas/ruler/unit", corner);
+    if (unit != LengthUnit::None) {
+        const std::string word(wordOf(unit));
+        const ImFont &font = *context.fonts.small;
+        const ImVec2 size = font.CalcTextSizeA(font.FontSize, 1e9F, 0.0F, word.c_str());
+        ImGui::GetWindowDrawList()->AddText(
+            &font, font.FontSize,
+            {std::round(static_cast<float>(corner.x + 0.5 * corner.width) - 0.5F * size.x),
+             std::round(static_cast<float>(corner.y + 0.5 * corner.height) - 0.5F * size.y)},
+            context.theme.muted, word.c_str());
+    }
+    if (pressed) {
+        context.actions.run("edit.unit", context);
+    }
+}
+
 } // namespace
 
 void drawRulers(Shell &context, const Layout &layout) {
@@ -182,6 +205,7 @@ void drawRulers(Shell &context, const Layout &layout) {
     drawRuler(context, "##rulerY", layout.rulerY, true);
     beginRegion("##rulerCorner", {layout.rulerY.x, layout.rulerX.y, layout.rulerY.width, layout.rulerX.height},
                 context.theme.panel, 0, 0);
+    drawUnit(context, {layout.rulerY.x, layout.rulerX.y, layout.rulerY.width, layout.rulerX.height});
     ImGui::End();
 }
 

@@ -85,13 +85,13 @@ class Cells {
     double left_, right_;
 };
 
-std::string pointerText(const View &view) {
+std::string pointerText(const View &view, LengthUnit unit) {
     if (!view.pointer) {
         return "x \xe2\x80\x93   y \xe2\x80\x93";
     }
     const double step = view.camera.length(1.0);
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, 9);
-    return ui::format("x %.*f   y %.*f", decimals, view.pointer->x, decimals, view.pointer->y);
+    return ui::format("x %.*f   y %.*f", decimals, view.pointer->x, decimals, view.pointer->y) + unitSuffix(unit);
 }
 
 /// Rounds a predicted count to two digits, since further digits mean nothing and would flicker.
@@ -313,7 +313,7 @@ void drawStatusBar(Shell &context, const PixelRect &rect) {
                                         context.theme.line);
     ImGui::PushFont(context.fonts.small);
     Cells cells(context, rect);
-    cells.add("pointer", pointerText(context.view), context.theme.muted, 150);
+    cells.add("pointer", pointerText(context.view, context.document.current()->unit), context.theme.muted, 150);
     addLog(cells, context);
     addFigures(cells, context);
     addMeshChip(cells, context);

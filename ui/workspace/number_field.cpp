@@ -4,6 +4,7 @@
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/typed_length.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <imgui.h>
@@ -13,18 +14,6 @@
 
 namespace forefront::ui {
 namespace {
-
-/// Returns the number of a text that ends with a unit; empty if it does not.
-std::string withoutUnit(const std::string &typed) {
-    for (const std::string_view unit : {"mm", "cm", "km", "m", "in", "ft", "px", "deg", "\xc2\xb0"}) {
-        const std::string_view text = trimmed(typed);
-        const std::string_view head = trimmed(text.substr(0, text.size() - std::min(unit.size(), text.size())));
-        if (text.ends_with(unit) && parseNumber(head)) {
-            return std::string(head);
-        }
-    }
-    return {};
-}
 
 /// Returns the value of a number or expression.
 Result<double> valueOf(const Workspace &context, const std::string &typed) {
@@ -43,9 +32,8 @@ std::optional<double> typedNumber(Workspace &context, std::string_view name, con
     if (value) {
         return *value;
     }
-    const std::string bare = withoutUnit(typed);
-    const std::string reason =
-        bare.empty() ? value.faults().front().message : "numbers have no units; enter " + bare + " alone";
+    const std::string unit = unitFault(*context.document.current(), typed);
+    const std::string reason = unit.empty() ? value.faults().front().message : unit;
     refuseEntry(context, name,
                 error("bad-number", "expected a number, got '" + typed + "': " + reason,
                       "enter a number such as 0.25, or an expression of parameters such as 2*r"),
@@ -137,20 +125,47 @@ void offerValue(Workspace &context, std::string_view name, const std::string &fo
 }
 
 /// Returns a number as a field shows it: rounded, or in full while it is edited, so that nothing is lost.
-std::string shownNumber(const WidgetContext &context, std::string_view name, double value, float width) {
-    return showsEdited(context, name, width) ? editedNumber(value) : number(value, 6);
+std::string shownNumber(const WidgetContext &context, std::string_view name, double value, float width,
+                        Digits digits = Digits::Rounded) {
+    return digits == Digits::All || showsEdited(context, name, width) ? editedNumber(value) : number(value, 6);
+}
+
+/// Shows the unit at the right end of the field just drawn, unless it is edited or its text leaves no room.
+void drawUnit(const Workspace &context, std::string_view name, const std::string &text, LengthUnit unit) {
+    const bool edited = context.widgets.fields.entry && context.widgets.fields.entry->name == name;
+    if (unit == LengthUnit::None || edited || text.empty()) {
+        return;
+    }
+    const std::string word(wordOf(unit));
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const float pad = ImGui::GetStyle().FramePadding.x;
+    const ImFont &font = *context.fonts.small;
+    const float width = font.CalcTextSizeA(font.FontSize, 1e9F, 0.0F, word.c_str()).x;
+    if (ImGui::CalcTextSize(text.c_str()).x + width + 3.0F * pad <= max.x - min.x) {
+        const float top = std::round(0.5F * (min.y + max.y - font.FontSize));
+        ImGui::GetWindowDrawList()->AddText(&font, font.FontSize, {max.x - pad - width, top}, context.theme.muted,
+                                            word.c_str());
+    }
+}
+
+/// Returns the unit of the number at an address; none if it is not a length.
+LengthUnit unitAt(const Workspace &context, const FieldAddress &address) {
+    const Document &document = *context.document.current();
+    return address && isLength(document, *address) ? document.unit : LengthUnit::None;
 }
 
 /// Draws the field. Returns the new text when one was committed.
 std::optional<std::string> drawEntry(Workspace &context, std::string_view name, std::optional<double> value,
-                                     const char *hint, float width, const FieldAddress &address) {
+                                     const char *hint, float width, const FieldAddress &address, LengthUnit unit,
+                                     Digits digits = Digits::Rounded) {
     const std::string formula = formulaAt(context, address);
-    const std::string plain = value ? shownNumber(context, name, *value, width) : std::string();
+    const std::string plain = value ? shownNumber(context, name, *value, width, digits) : std::string();
     std::string typed = formula.empty() ? plain : formula;
     const bool committed = entry(context, name, typed, hint, width, true);
+    drawUnit(context, name, typed, unit);
     offerValue(context, name, formula, plain);
     drawFault(context, name);
-    return committed ? std::optional(typed) : std::nullopt;
+    return committed ? std::optional(inUnit(typed, unit)) : std::nullopt;
 }
 
 /// Replaces `value` by a typed number. Returns true if that changed it.
@@ -220,10 +235,12 @@ bool looksLikeDecimalComma(std::string_view text, std::size_t comma) {
 } // namespace
 
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const FieldAddress &addressX,
-                const FieldAddress &addressY) {
-    std::optional<std::string> x = drawEntry(context, name + "/x", value.x, "", width, addressX);
+                const FieldAddress &addressY, Digits digits) {
+    std::optional<std::string> x =
+        drawEntry(context, name + "/x", value.x, "", width, addressX, unitAt(context, addressX), digits);
     ImGui::SameLine(0, context.px(6));
-    std::optional<std::string> y = drawEntry(context, name + "/y", value.y, "", width, addressY);
+    std::optional<std::string> y =
+        drawEntry(context, name + "/y", value.y, "", width, addressY, unitAt(context, addressY), digits);
     const std::string both = x ? *x : y.value_or("");
     if (const std::size_t comma = separatingComma(both); comma != std::string::npos) {
         const std::string field = name + (x ? "/x" : "/y");
@@ -287,14 +304,17 @@ bool checkWhole(Workspace &context, std::string_view name, double value, double 
     return good;
 }
 
-bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const FieldAddress &address) {
-    const std::optional<std::string> typed = drawEntry(context, name, value, "", width, address);
+bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const FieldAddress &address,
+                 LengthUnit unit) {
+    const std::optional<std::string> typed =
+        drawEntry(context, name, value, "", width, address, address ? unitAt(context, address) : unit);
     return typed && take(context, name, *typed, value, address);
 }
 
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
-                   float width, const FieldAddress &address) {
-    const std::optional<std::string> typed = drawEntry(context, name, value, hint, width, address);
+                   float width, const FieldAddress &address, LengthUnit unit) {
+    const std::optional<std::string> typed =
+        drawEntry(context, name, value, hint, width, address, address ? unitAt(context, address) : unit);
     if (!typed) {
         return false;
     }
@@ -308,12 +328,15 @@ bool inputOptional(Workspace &context, std::string_view name, std::optional<doub
     return changed;
 }
 
-bool inputExpression(Workspace &context, std::string_view name, double &value, std::string &formula, float width) {
+bool inputExpression(Workspace &context, std::string_view name, double &value, std::string &formula, float width,
+                     LengthUnit unit) {
     const std::string plain = shownNumber(context, name, value, width);
     std::string typed = formula.empty() ? plain : formula;
     const bool committed = entry(context, name, typed, "", width, true);
+    drawUnit(context, name, typed, unit);
     offerValue(context, name, formula, plain);
     drawFault(context, name);
+    typed = committed ? inUnit(typed, unit) : typed;
     const std::optional<double> entered = committed ? typedNumber(context, name, typed) : std::nullopt;
     if (!entered) {
         return false;

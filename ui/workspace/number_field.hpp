@@ -2,8 +2,10 @@
 
 #include "core/drawing/document/number_address.hpp"
 #include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/base/vec2.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,12 +19,17 @@ namespace ui {
 /// The address of the number of the document that a field shows, if it shows one.
 using FieldAddress = std::optional<NumberAddress>;
 
+/// The digits that a field shows while it is not edited.
+enum class Digits : std::uint8_t { Rounded, All };
+
 /// Draws an entry() for a number or an expression of the parameters. A text without a finite value is reported beside
 /// the field and in the log, and the old value is kept. A field with an address shows the formula that its number
 /// follows; a formula typed there is stored by the next Workspace::applyCommand() in this frame. A field without one
-/// says that the parameters in a typed expression are used only once.
+/// says that the parameters in a typed expression are used only once. The field of a length shows the unit of the
+/// document, and a length typed in another unit, such as "2 in", is converted to it. `unit`: of a length without an
+/// address.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
-                 const FieldAddress &address = {});
+                 const FieldAddress &address = {}, LengthUnit unit = LengthUnit::None);
 /// Refuses the text that the field has just committed: the field keeps it with the focus, the old value stays in
 /// effect, `reason` is shown beside the field, and the log has the faults.
 void refuseEntry(Workspace &context, std::string_view name, const Diagnostics &faults, std::string reason);
@@ -37,7 +44,7 @@ bool checkRange(Workspace &context, std::string_view name, double value, double 
 bool checkWhole(Workspace &context, std::string_view name, double value, double minimum, double maximum);
 /// The same as inputNumber() for an optional number; without one, the field is empty and shows the hint.
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
-                   float width = -1.0F, const FieldAddress &address = {});
+                   float width = -1.0F, const FieldAddress &address = {}, LengthUnit unit = LengthUnit::None);
 
 constexpr double kMaxTag = 1e9;
 /// Returns true for a number that can be a tag, a whole number from 1 to kMaxTag; reports any other like a text without
@@ -45,9 +52,9 @@ constexpr double kMaxTag = 1e9;
 bool checkTag(Workspace &context, std::string_view name, double value);
 
 /// The same as inputNumber() for a number whose expression the caller keeps in `formula`, which is shown instead of the
-/// number; empty for a plain number. Returns true if either changed.
+/// number; empty for a plain number. `unit`: of a length. Returns true if either changed.
 bool inputExpression(Workspace &context, std::string_view name, double &value, std::string &formula,
-                     float width = -1.0F);
+                     float width = -1.0F, LengthUnit unit = LengthUnit::None);
 
 /// A number and the expression that it was typed as; empty for a plain number.
 struct TypedNumber {
@@ -62,7 +69,7 @@ bool showsFault(const Workspace &context, std::string_view prefix);
 /// Draws the fields "NAME/x" and "NAME/y" of a point side by side, each `width` design pixels wide. "x, y" typed into
 /// one of them sets both; "1,5" without a blank is refused, since it may be meant as one number.
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const FieldAddress &addressX,
-                const FieldAddress &addressY);
+                const FieldAddress &addressY, Digits digits = Digits::Rounded);
 
 /// Draws an entry() beside which refuseEntry() and refuseCommand() can report.
 bool inputName(Workspace &context, std::string_view name, std::string &value, std::string_view hint = {},

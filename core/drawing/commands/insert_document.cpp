@@ -1,11 +1,13 @@
 #include "core/drawing/commands/insert_document.hpp"
 
+#include "core/drawing/commands/scale_document.hpp"
 #include "core/drawing/constraints/map_constraints.hpp"
 #include "core/drawing/formulas/bring_formulas.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/names/distinct_tags.hpp"
 #include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/groups.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 
@@ -80,9 +82,14 @@ Document inserted(const Document &document, const Document &other, double scale,
     Document next = document;
     Selection fresh;
     ReceivedItems items;
+    CopiedGroups groups(document);
+    if (document.unit == LengthUnit::None && document.shapes.empty() && scale == 1.0) {
+        next.unit = other.unit;
+    }
     for (const auto &shape : other.shapes) {
         auto copy = std::make_shared<Shape>(*shape);
         copy->id = next.nextId++;
+        copy->group = groups(shape->group);
         scaleShape(*copy, scale);
         fresh.shapes.insert(copy->id);
         items.shapes[shape->id] = copy->id;
@@ -138,17 +145,22 @@ Document insertDrawing(const Document &document, const Document &other, double s
     return inserted(document, withDistinctTags(other, document), scale, {}, insertion);
 }
 
-Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Insertion *insertion) {
+Result<Document> insertCopied(const Document &document, const Document &copied, Vec2 step, Insertion *insertion) {
+    const double scale = conversion(copied.unit, document.unit).value_or(1.0);
+    const Result<Document> converted = scale == 1.0 ? Result<Document>(copied) : scaleDocument(copied, {}, scale);
+    if (!converted) {
+        return converted;
+    }
+    const Document other = withDistinctTags(*converted, document);
     Selection all = selectAll(other);
     for (const auto &shape : other.shapes) { // hidden and locked ones must move, too
         all.shapes.insert(shape->id);
     }
     const ItemPlaces taken(document);
-    const Document tagged = withDistinctTags(other, document);
-    Result<Document> moved = tagged;
+    Result<Document> moved = other;
     constexpr int kMaxSteps = 1000; // guards against steps too small to move anything
     for (int k = 1; k <= kMaxSteps && taken.meet(ItemPlaces(*moved)); ++k) {
-        moved = moveSelection(tagged, all, static_cast<double>(k) * step);
+        moved = moveSelection(other, all, static_cast<double>(k) * step);
         if (!moved) {
             return moved;
         }

@@ -101,6 +101,10 @@ Result<Document> scaleDocument(const Document &document, Vec2 fixed, double fact
         marker.maxArea *= factor * factor;
         marker.size *= factor;
     }
+    for (LayerSpec &layer : next.layers) {
+        layer.first *= factor;
+        scaleSizes(layer.thickness, factor);
+    }
     next.curveTolerance *= factor;
     scaleSpacing(next.spacing, map, factor);
     for (Guide &guide : next.guides) {

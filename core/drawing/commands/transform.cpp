@@ -4,6 +4,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/shift_formulas.hpp"
 #include "core/drawing/picking/selected_handles.hpp"
+#include "core/drawing/shapes/groups.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/shapes/slot.hpp"
@@ -327,8 +328,10 @@ Result<Document> copySelection(const Document &document, const Selection &select
     std::vector<CopiedItem> copied;
     std::vector<std::map<std::uint32_t, std::uint32_t>> copiesOf; // shapes with their copies, for each map
     Selection fresh;
+    CopiedGroups groups(document);
     for (const PlaneMap &map : maps) {
         copiesOf.emplace_back();
+        groups.beginCopy();
         if (Status status = checkMap(map); !status.empty()) {
             return status;
         }
@@ -339,6 +342,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
                 copiesOf.back().emplace(shape->id, id);
                 copied.push_back({NumberOwner::ofShape(shape->id), NumberOwner::ofShape(id), shiftOf(map)});
                 shapes.push_back(*shape);
+                shapes.back().group = groups(shape->group);
                 mapShape(shapes.back(), map);
             }
         }

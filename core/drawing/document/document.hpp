@@ -5,6 +5,7 @@
 #include "core/drawing/document/shape.hpp"
 #include "core/drawing/document/sketch_constraint.hpp"
 #include "core/engine/base/api.hpp"
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/domain/periodic.hpp"
@@ -86,6 +87,7 @@ struct Document {
     std::map<NumberAddress, std::string> formulas; ///< of numbers of the document
     std::optional<BackgroundPicture> picture;      ///< below the drawing
     std::vector<Guide> guides;
+    LengthUnit unit = LengthUnit::None; ///< of its coordinates and sizes
 };
 
 } // namespace forefront

@@ -20,7 +20,7 @@ bool sameConstraints(const Document &a, const Document &b) {
 
 bool sameContent(const Document &a, const Document &b) {
     return a.options == b.options && a.limits == b.limits && a.parameters == b.parameters && a.formulas == b.formulas &&
-           a.picture == b.picture && a.guides == b.guides && a.elementCounts == b.elementCounts &&
+           a.picture == b.picture && a.unit == b.unit && a.guides == b.guides && a.elementCounts == b.elementCounts &&
            a.layers == b.layers && a.periodic == b.periodic && sameDomain(a, b) && sameConstraints(a, b) &&
            sameContent(a.spacing, b.spacing);
 }

@@ -116,6 +116,7 @@ struct Shape {
     std::vector<std::vector<double>> cuts;
     bool hidden = false;       ///< neither drawn nor picked, but part of the domain
     bool locked = false;       ///< drawn, but neither picked nor moved
+    std::uint32_t group = 0;   ///< shapes with the same number are selected as one; 0: in none
     bool construction = false; ///< drawn and constrained, but not part of the domain
     /// Element sizes at nodes, by handle (see handlesOf()); not at the centre of a circle or an ellipse, nor at a slot.
     std::map<std::uint32_t, PartSize> nodeSizes;

@@ -103,6 +103,7 @@ Document fromDomain(const Domain &domain) {
 
 Document fromDomain(const DomainFile &file) {
     Document document = fromDomain(file.domain);
+    document.unit = file.unit;
     document.spacing = file.spacing;
     document.spacing.placed = {};
     takeRegionSizes(file.spacing.placed.regions, document.regionMarkers);

@@ -111,7 +111,17 @@ class DxfReader {
         return file_.units > 0 && file_.units < static_cast<int>(std::size(kUnits)) ? kUnits[file_.units] : "";
     }
 
+    /// Returns the unit of a drawing in units that LengthUnit has.
+    LengthUnit lengthUnit() const {
+        constexpr LengthUnit kKnown[] = {LengthUnit::None,  LengthUnit::Inch,       LengthUnit::Foot,
+                                         LengthUnit::None,  LengthUnit::Millimetre, LengthUnit::Centimetre,
+                                         LengthUnit::Metre, LengthUnit::Kilometre};
+        return file_.units > 0 && file_.units < static_cast<int>(std::size(kKnown)) ? kKnown[file_.units]
+                                                                                    : LengthUnit::None;
+    }
+
     void reportContents() const {
+        source_.measured(lengthUnit());
         DrawingContents contents;
         contents.layers = drawn_.layers;
         contents.severalLayers = true;

@@ -71,6 +71,9 @@ class ProjectReader {
         if (const auto list = root.find("guides"); list && check_.expect(*list, JsonKind::Array, "\"guides\"")) {
             guides(*list);
         }
+        if (const auto unit = root.find("unit")) {
+            document_.unit = static_cast<LengthUnit>(check_.choice(*unit, wordsOf<LengthUnit>(), "\"unit\""));
+        }
         nextId(root);
         readConstraints(root, renumbered_, document_, check_);
         readElementCounts(root, document_, check_);
@@ -80,10 +83,11 @@ class ProjectReader {
         if (!check_.faults().empty()) {
             return check_.faults();
         }
-        check_.noteUnknown(root, {"format",          "version",        "shapes",     "regionMarkers", "boundaryNames",
-                                  "regionNames",     "spacing",        "options",    "limits",        "nextId",
-                                  "circleTolerance", "curveTolerance", "parameters", "formulas",      "picture",
-                                  "elementCounts",   "constraints",    "guides",     "layers",        "periodic"});
+        check_.noteUnknown(root,
+                           {"format",     "version",  "shapes",  "regionMarkers", "boundaryNames",   "regionNames",
+                            "spacing",    "options",  "limits",  "nextId",        "circleTolerance", "curveTolerance",
+                            "parameters", "formulas", "picture", "elementCounts", "constraints",     "guides",
+                            "layers",     "periodic", "unit"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }
@@ -213,6 +217,9 @@ class ProjectReader {
         if (const auto construction = item.find("construction")) {
             shape.construction = check_.flag(*construction, "\"construction\"");
         }
+        if (const auto group = item.find("group")) {
+            shape.group = static_cast<std::uint32_t>(check_.integer(*group, 1, kMaxId, "\"group\""));
+        }
         if (const auto tags = item.find("segmentTags");
             tags && check_.expect(*tags, JsonKind::Array, "\"segmentTags\"")) {
             for (const JsonValue tag : *tags) {
@@ -220,8 +227,9 @@ class ProjectReader {
             }
             segmentTagCount(shape, *tags);
         }
-        check_.noteUnknown(item, {"id", "kind", "use", "tag", "name", "nodes", "radius", "curves", "cuts",
-                                  "segmentTags", "nodeSizes", "segmentSizes", "hidden", "locked", "construction"});
+        check_.noteUnknown(item,
+                           {"id", "kind", "use", "tag", "name", "nodes", "radius", "curves", "cuts", "segmentTags",
+                            "nodeSizes", "segmentSizes", "hidden", "locked", "construction", "group"});
         return shape;
     }
 

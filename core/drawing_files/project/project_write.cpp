@@ -52,6 +52,9 @@ class ProjectWriter {
             writePicture(*document.picture, file_, out_);
         }
         guides(document.guides);
+        if (document.unit != LengthUnit::None) {
+            out_ << ",\n  \"unit\": \"" << wordOf(document.unit) << '"';
+        }
         out_ << ",\n  \"nextId\": " << document.nextId << "\n}\n";
     }
 
@@ -85,7 +88,11 @@ class ProjectWriter {
             writeNodeSizes(*shape, out_);
             writeSegmentSizes(*shape, out_);
             out_ << (shape->hidden ? ", \"hidden\": true" : "") << (shape->locked ? ", \"locked\": true" : "")
-                 << (shape->construction ? ", \"construction\": true" : "") << '}';
+                 << (shape->construction ? ", \"construction\": true" : "");
+            if (shape->group != 0) {
+                out_ << ", \"group\": " << shape->group;
+            }
+            out_ << '}';
         });
         out_ << "\n  ]";
     }

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/result.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
 
@@ -17,6 +18,8 @@ Result<Mesh> readAbaqus(const SourceText &source);
 bool looksLikeAbaqus(std::string_view head);
 /// Writes Abaqus and CalculiX input (.inp).
 void writeAbaqus(const MeshView &mesh, TextWriter &out);
+/// Writes the same with ExportOptions::unit.
+void writeAbaqusWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
 /// Returns notes on the names and numbers of the mesh that the format changes.
 Diagnostics noteAbaqusChanges(const MeshView &mesh);
 

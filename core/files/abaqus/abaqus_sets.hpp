@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/base/length_unit.hpp"
 #include "core/files/text/text_writer.hpp"
 
 #include <cstdint>
@@ -7,6 +8,13 @@
 #include <string>
 
 namespace forefront {
+
+/// Writes the unit of the coordinates as a comment.
+inline void writeAbaqusUnit(LengthUnit unit, TextWriter &out) {
+    if (unit != LengthUnit::None) {
+        out << "** Unit of the coordinates: " << wordOf(unit) << '\n';
+    }
+}
 
 /// Writes a node set; the indices ascend.
 inline void writeAbaqusNodes(const std::string &name, const std::set<std::uint32_t> &nodes, TextWriter &out) {

@@ -65,6 +65,7 @@ void writeAbaqusSolid(const SolidMesh &mesh, TextWriter &out) {
     const std::string allNodes = unique.claim("NALL"), allElements = unique.claim("EALL");
     const FileNames sets = identifiersOf(mesh.tags, unique);
     out << "*HEADING\nExtruded mesh\n";
+    writeAbaqusUnit(mesh.unit, out);
     writeNameComments(mesh.tags, "**", out);
     out << "*NODE, NSET=" << allNodes << '\n';
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {

@@ -128,8 +128,13 @@ void writePeriodic(const MeshView &mesh, const AbaqusNames &names, const Periodi
 /// per boundary tag, a node set per tag of points. The names become identifiers; comments keep the original names and
 /// the tags. Coordinates have at most 20 characters.
 void writeAbaqus(const MeshView &mesh, TextWriter &out) {
+    writeAbaqusWith(mesh, {}, out);
+}
+
+void writeAbaqusWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
     const AbaqusNames names(tagsOf(mesh));
     out << "*HEADING\n" << titleOf(mesh) << '\n';
+    writeAbaqusUnit(options.unit, out);
     writeNameComments(mesh, "**", out);
     out << "*NODE, NSET=" << names.allNodes << '\n';
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
@@ -11,6 +12,7 @@ namespace FOREFRONT_API forefront {
 struct DomainFile {
     Domain domain;
     SpacingSpec spacing;
+    LengthUnit unit = LengthUnit::None; ///< of the coordinates, if the file names one
 };
 
 } // namespace forefront

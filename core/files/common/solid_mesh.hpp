@@ -43,7 +43,8 @@ struct SolidMesh {
     std::vector<SolidCell> cells;
     std::vector<SolidFace> faces; ///< over the tagged edges, in their order; then the back, then the front
     std::int32_t back = 0, front = 0;
-    TagList tags; ///< tags of faces as `edges`, with their names; regions; no points
+    TagList tags;                       ///< tags of faces as `edges`, with their names; regions; no points
+    LengthUnit unit = LengthUnit::None; ///< see ExportOptions; set by the caller
 };
 
 /// Returns tags that no edge or point of a mesh has: above all of them, or else the lowest ones.

@@ -35,6 +35,12 @@ FileNames layersOf(const TagList &tags) {
     return layers;
 }
 
+/// Returns the value of $INSUNITS for a unit.
+int insUnitsOf(LengthUnit unit) {
+    constexpr std::array<int, wordsOf<LengthUnit>().size()> kInsUnits = {0, 4, 5, 6, 7, 1, 2};
+    return kInsUnits[static_cast<std::size_t>(unit)];
+}
+
 /// A vertex of a polyline, with the bulge of the segment after it: the tangent of a quarter of its angle.
 struct DxfVertex {
     Vec2 at;
@@ -44,11 +50,16 @@ struct DxfVertex {
 /// Writes the groups of R12: header, table of layers, entities.
 class DxfWriter {
   public:
-    DxfWriter(const MeshView &mesh, bool outline, TextWriter &out)
-        : mesh_(mesh), outline_(outline), out_(out), layers_(layersOf(tagsOf(mesh))), size_(mesh.bounds().diagonal()) {}
+    DxfWriter(const MeshView &mesh, bool outline, LengthUnit unit, TextWriter &out)
+        : mesh_(mesh), outline_(outline), unit_(unit), out_(out), layers_(layersOf(tagsOf(mesh))),
+          size_(mesh.bounds().diagonal()) {}
 
     void write() {
-        group(0, "SECTION").group(2, "HEADER").group(9, "$ACADVER").group(1, "AC1009").group(0, "ENDSEC");
+        group(0, "SECTION").group(2, "HEADER").group(9, "$ACADVER").group(1, "AC1009");
+        if (unit_ != LengthUnit::None) {
+            group(9, "$INSUNITS").group(70, insUnitsOf(unit_)); // newer than R12, but programs read it there as well
+        }
+        group(0, "ENDSEC");
         writeLayers();
         group(0, "SECTION").group(2, "ENTITIES");
         if (!outline_) {
@@ -237,6 +248,7 @@ class DxfWriter {
 
     const MeshView &mesh_;
     bool outline_;
+    LengthUnit unit_;
     TextWriter &out_;
     FileNames layers_;
     double size_;
@@ -246,11 +258,19 @@ class DxfWriter {
 } // namespace
 
 void writeDxf(const MeshView &mesh, TextWriter &out) {
-    DxfWriter(mesh, false, out).write();
+    writeDxfWith(mesh, {}, out);
+}
+
+void writeDxfWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
+    DxfWriter(mesh, false, options.unit, out).write();
 }
 
 void writeDxfOutline(const MeshView &mesh, TextWriter &out) {
-    DxfWriter(mesh, true, out).write();
+    writeDxfOutlineWith(mesh, {}, out);
+}
+
+void writeDxfOutlineWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
+    DxfWriter(mesh, true, options.unit, out).write();
 }
 
 Diagnostics noteDxfChanges(const MeshView &mesh) {

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/text/text_writer.hpp"
 
 namespace forefront {
@@ -12,6 +13,9 @@ void writeDxf(const MeshView &mesh, TextWriter &out);
 /// Writes the tagged edges and points of a mesh alone. Edges along a circular arc become one segment with a bulge;
 /// those along other curves, vertices within kDxfTolerance of the curve.
 void writeDxfOutline(const MeshView &mesh, TextWriter &out);
+/// Write the same with ExportOptions::unit.
+void writeDxfWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
+void writeDxfOutlineWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
 /// Notes the names that are no names of layers.
 Diagnostics noteDxfChanges(const MeshView &mesh);
 

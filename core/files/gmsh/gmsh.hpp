@@ -29,7 +29,7 @@ void writeMsh2(const MeshView &mesh, TextWriter &out);
 void writeMsh4(const MeshView &mesh, TextWriter &out);
 /// Writes MSH 4.1, binary.
 void writeMsh4Binary(const MeshView &mesh, TextWriter &out);
-/// Write the same with ExportOptions::keepTags.
+/// Write the same with ExportOptions::keepTags and ExportOptions::unit.
 void writeMsh2With(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
 void writeMsh4With(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
 void writeMsh4BinaryWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out);

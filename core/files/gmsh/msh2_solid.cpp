@@ -1,6 +1,7 @@
 #include "core/files/common/part_groups.hpp"
 #include "core/files/common/solid_mesh.hpp"
 #include "core/files/gmsh/gmsh.hpp"
+#include "core/files/gmsh/msh_groups.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -38,6 +39,7 @@ void writeMsh2Solid(const SolidMesh &mesh, TextWriter &out) {
         write(cell.count == 6 ? kPrism : kHexahedron, groups.of(2, cell.region).number, cell.nodes());
     }
     out << "$EndElements\n";
+    writeMshComments({}, mesh.unit, out);
 }
 
 } // namespace forefront

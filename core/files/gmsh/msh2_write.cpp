@@ -62,7 +62,7 @@ void writeMsh2With(const MeshView &mesh, const ExportOptions &options, TextWrite
     out << "$EndElements\n";
     writeMsh2Periodic(mesh, groups, out);
     writeMshElevations(mesh, out);
-    groups.writeOrigins(out);
+    groups.writeOrigins(out, options.unit);
 }
 
 void writeMsh2(const MeshView &mesh, TextWriter &out) {

@@ -176,7 +176,7 @@ void writeSections(const MeshView &mesh, const ExportOptions &options, TextWrite
     };
     writeMsh4Periodic(mesh, curve, rows);
     writeValues(mesh, out);
-    groups.writeOrigins(out);
+    groups.writeOrigins(out, options.unit);
 }
 
 /// Writes the elevations of a mesh as writeMshElevations() does, the values in binary.

@@ -125,17 +125,25 @@ void MshGroups::writeNames(TextWriter &out) const {
     out << "$EndPhysicalNames\n";
 }
 
-void MshGroups::writeOrigins(TextWriter &out) const {
-    const auto changed = [](const MshGroup &group) { return group.number != group.tag || group.label != group.name; };
-    if (std::none_of(groups_.begin(), groups_.end(), changed)) {
+void MshGroups::writeOrigins(TextWriter &out, LengthUnit unit) const {
+    std::string lines;
+    for (const MshGroup &group : groups_) {
+        if (group.number != group.tag || group.label != group.name) {
+            lines += lines.empty() ? "Tags and names of the mesh: group DIMENSION NUMBER tag TAG \"NAME\"\n" : "";
+            lines += std::string(kOrigin) + std::to_string(group.dimension) + ' ' + std::to_string(group.number) +
+                     " tag " + std::to_string(group.tag) + " \"" + percentEncoded(validUtf8(group.name)) + "\"\n";
+        }
+    }
+    writeMshComments(lines, unit, out);
+}
+
+void writeMshComments(std::string_view lines, LengthUnit unit, TextWriter &out) {
+    if (lines.empty() && unit == LengthUnit::None) {
         return;
     }
-    out << "$Comments\nTags and names of the mesh: group DIMENSION NUMBER tag TAG \"NAME\"\n";
-    for (const MshGroup &group : groups_) {
-        if (changed(group)) {
-            out << kOrigin << group.dimension << ' ' << group.number << " tag " << group.tag << " \""
-                << percentEncoded(validUtf8(group.name)) << "\"\n";
-        }
+    out << "$Comments\n" << lines;
+    if (unit != LengthUnit::None) {
+        out << "Unit of the coordinates: " << wordOf(unit) << '\n';
     }
     out << "$EndComments\n";
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/text/text_writer.hpp"
 
@@ -45,13 +46,17 @@ class MshGroups {
 
     /// Writes the section $PhysicalNames, which is the same in MSH 2.2 and 4.1.
     void writeNames(TextWriter &out) const;
-    /// Writes a section $Comments with the tags and names of the mesh that are different in the file; writes nothing if
-    /// none are. Must come last, since some readers expect only the standard sections before it.
-    void writeOrigins(TextWriter &out) const;
+    /// Writes a section $Comments with the unit of the coordinates, and with the tags and names of the mesh that are
+    /// different in the file; see writeMshComments().
+    void writeOrigins(TextWriter &out, LengthUnit unit) const;
 
   private:
     std::vector<MshGroup> groups_;
 };
+
+/// Writes a section $Comments with lines, and with the unit of the coordinates; writes nothing if there are neither.
+/// Must come last, since some readers expect only the standard sections before it.
+void writeMshComments(std::string_view lines, LengthUnit unit, TextWriter &out);
 
 /// Writes the elevations of a mesh that has some as nodal values "elevation", as text.
 void writeMshElevations(const MeshView &mesh, TextWriter &out);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/engine/base/length_unit.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -30,6 +31,9 @@ struct ExportOptions {
     /// Writes the numbers and names of tags unchanged, also where a region has the number or name of a boundary part;
     /// only formats with FileFormat::tellsTagsApart change them otherwise.
     bool keepTags = false;
+    /// The unit of the coordinates: $INSUNITS of DXF, the size of an SVG picture, a comment in MSH and Abaqus files;
+    /// other formats have no place for it.
+    LengthUnit unit = LengthUnit::None;
 };
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/files/source/domain_origin.hpp"
 #include "core/files/source/import_notes.hpp"
@@ -21,8 +22,15 @@ struct SourceText {
     std::filesystem::path path; ///< of the file itself, for finding its companions; may be empty
     ImportOptions options;
     DomainOrigin *origin = nullptr; ///< where a reader of domains records the places of the parts; null: nowhere
+    LengthUnit *unit = nullptr;     ///< where a reader of drawings records the unit of the coordinates; null: nowhere
     ImportNotes *notes = nullptr;   ///< receives notes on unused content; null: no notes
 
+    /// Reports the unit of the coordinates.
+    void measured(LengthUnit in) const {
+        if (unit != nullptr) {
+            *unit = in;
+        }
+    }
     /// Reports unused content at byte `offset`.
     void note(std::string_view code, const std::string &message, std::size_t offset, std::size_t count = 1) const {
         if (notes != nullptr) {

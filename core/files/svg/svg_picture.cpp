@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace forefront {
@@ -87,6 +88,7 @@ class Sheet {
         extent_ = scale_ * size;
     }
     Vec2 extent() const { return extent_; }
+    double scale() const { return scale_; } ///< drawing units per unit of the mesh
     void put(TextWriter &out, Vec2 p) const {
         out << rounded(scale_ * (p.x - box_.min.x)) << ' ' << rounded(scale_ * (box_.max.y - p.y));
     }
@@ -122,14 +124,33 @@ void writePaths(TextWriter &out, const SvgPathStyle &style, const std::vector<st
     }
 }
 
+/// Writes the size of a picture of which `scale` units are one unit of the mesh, unless that has no unit. SVG knows no
+/// units above centimetres and inches.
+void writeSize(Vec2 size, double scale, LengthUnit unit, TextWriter &out) {
+    const bool inches = unit == LengthUnit::Inch || unit == LengthUnit::Foot;
+    const LengthUnit written = inches ? LengthUnit::Inch : LengthUnit::Millimetre;
+    if (const std::optional<double> factor = conversion(unit, written)) {
+        const auto length = [&](const char *attribute, double value) {
+            out << ' ' << attribute << "=\"" << value / scale * *factor << wordOf(written) << '"';
+        };
+        length("width", size.x);
+        length("height", size.y);
+    }
+}
+
 } // namespace
 
 void writeSvg(const MeshView &mesh, TextWriter &out) {
+    writeSvgWith(mesh, {}, out);
+}
+
+void writeSvgWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
     const Sheet sheet(mesh);
     constexpr double kMargin = 10.0;
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" << -kMargin << ' ' << -kMargin << ' '
-        << sheet.extent().x + 2.0 * kMargin << ' ' << sheet.extent().y + 2.0 * kMargin
-        << "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+    writeSize(sheet.extent() + Vec2{2.0 * kMargin, 2.0 * kMargin}, sheet.scale(), options.unit, out);
+    out << " viewBox=\"" << -kMargin << ' ' << -kMargin << ' ' << sheet.extent().x + 2.0 * kMargin << ' '
+        << sheet.extent().y + 2.0 * kMargin << "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     const double pitch =
         mesh.elementCount() == 0
             ? kWidth

@@ -213,8 +213,8 @@ void DrawingTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
 }
 
 bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
-    const NumericEntry::Answer answer =
-        entry_.handle(event, entryFields(), context.document.current()->spacing.names, ownLetters());
+    const NumericEntry::Answer answer = entry_.handle(event, entryFields(), context.document.current()->spacing.names,
+                                                      ownLetters(), context.document.current()->unit);
     if (answer != NumericEntry::Answer::Unused) {
         CanvasEvent here = event;
         here.place = place_;

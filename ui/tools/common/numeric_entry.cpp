@@ -6,6 +6,7 @@
 #include "core/engine/spacing/parts/expression/expression.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/widgets/parse_number.hpp"
+#include "ui/workspace/typed_length.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ std::string shown(double value, const std::string &expression) {
 
 } // namespace
 
-std::optional<TypedPair> parsePair(std::string_view text, const NamedValues &names) {
+std::optional<TypedPair> parsePair(std::string_view text, const NamedValues &names, LengthUnit unit) {
     text = trimmed(text);
     TypedPair pair;
     if (text.starts_with('@')) {
@@ -107,7 +108,8 @@ std::optional<TypedPair> parsePair(std::string_view text, const NamedValues &nam
     if (cut == std::string_view::npos) {
         return std::nullopt;
     }
-    const std::string_view left = text.substr(0, cut), right = text.substr(cut + 1);
+    const std::string left = inUnit(std::string(text.substr(0, cut)), unit),
+                      right = inUnit(std::string(text.substr(cut + 1)), unit);
     if (spaced && !(parseNumber(left) && parseNumber(right))) {
         return std::nullopt; // an expression with spaces
     }
@@ -123,7 +125,7 @@ std::optional<TypedPair> parsePair(std::string_view text, const NamedValues &nam
 
 std::optional<double> NumericEntry::value(EntryField field) const {
     if (open_ == field && !text_.empty()) {
-        if (const Result<double> typed = read(field, text_, names_)) {
+        if (const Result<double> typed = read(field, typedIn(field), names_)) {
             return *typed;
         }
     }
@@ -142,16 +144,37 @@ std::string NumericEntry::expression(EntryField field) const {
         }
         return diameter.empty() ? diameter : "(" + diameter + ")/2";
     }
-    return open_ == field && !text_.empty() ? expressionIn(text_) : expressions_[static_cast<std::size_t>(field)];
+    return open_ == field && !text_.empty() ? expressionIn(typedIn(field))
+                                            : expressions_[static_cast<std::size_t>(field)];
 }
 
 bool NumericEntry::usesParameters() const {
-    return (open_ && usesNames(text_)) || std::any_of(expressions_.begin(), expressions_.end(), usesNames);
+    return (open_ && usesNames(typedIn(*open_))) || std::any_of(expressions_.begin(), expressions_.end(), usesNames);
 }
 
 void NumericEntry::forget(EntryField field) {
     slot(field).reset();
     expressions_[static_cast<std::size_t>(field)].clear();
+}
+
+/// Returns what was typed into a field, with lengths in the unit of the document.
+std::string NumericEntry::typedIn(EntryField field) const {
+    const bool plain = field == EntryField::Angle || field == EntryField::Factor;
+    return plain ? text_ : inUnit(text_, unit_);
+}
+
+/// Returns true if the key of a letter continues the text as the beginning of a unit.
+bool NumericEntry::continuesUnit(int letter) const {
+    const bool plain = !open_ || open_ == EntryField::Angle || open_ == EntryField::Factor;
+    if (plain || unit_ == LengthUnit::None || text_.empty()) {
+        return false;
+    }
+    const std::size_t last = text_.find_last_of(", "); // of a pair, the second number
+    const std::string_view number = trimmed(std::string_view(text_).substr(text_.back() == ' ' ? 0 : last + 1));
+    const auto begins = [letter](std::string_view word) {
+        return word != wordOf(LengthUnit::None) && word[0] == letter - 'A' + 'a';
+    };
+    return parseNumber(number) && std::ranges::any_of(wordsOf<LengthUnit>(), begins);
 }
 
 /// Returns true if a letter continues the text: it is no number yet, as after an operator, or no number any longer.
@@ -176,7 +199,7 @@ SnapLocks NumericEntry::locks() const {
 }
 
 std::optional<TypedPair> NumericEntry::pair() const {
-    return open_ && byDigit_ && !isScalar() ? parsePair(text_, names_) : std::nullopt;
+    return open_ && byDigit_ && !isScalar() ? parsePair(text_, names_, unit_) : std::nullopt;
 }
 
 bool NumericEntry::shows(EntryField field) const {
@@ -213,7 +236,8 @@ std::vector<EntryField> NumericEntry::visible() const {
 }
 
 NumericEntry::Answer NumericEntry::handle(const CanvasEvent &event, std::span<const EntryField> fields,
-                                          const NamedValues &names, std::string_view ownLetters) {
+                                          const NamedValues &names, std::string_view ownLetters, LengthUnit unit) {
+    unit_ = unit;
     fields_.assign(fields.begin(), fields.end());
     names_ = names;
     ownLetters_ = ownLetters;
@@ -302,7 +326,7 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
                         event.key == key::kEscape || event.key == key::kLeft || event.key == key::kRight;
     allSelected_ = selected && !isLetterKey && !leaves; // the character arrives as text and replaces it
     const bool isLetter = event.key >= 'A' && event.key <= 'Z';
-    if (isLetter && (continuesExpression() || (isScalar() && open_))) {
+    if (isLetter && (continuesExpression() || continuesUnit(event.key) || (isScalar() && open_))) {
         return Answer::Used; // arrives as text
     }
     if (isLetter && isScalar()) {
@@ -370,7 +394,8 @@ NumericEntry::Answer NumericEntry::edit(const CanvasEvent &event) {
 /// Commits the text of the open field; empty text keeps the old value. Returns false and marks invalid text.
 bool NumericEntry::store() {
     if (!text_.empty()) {
-        const Result<double> number = read(*open_, text_, names_);
+        const std::string typed = typedIn(*open_);
+        const Result<double> number = read(*open_, typed, names_);
         if (!number) {
             fault_ = number.faults().front().message;
             return false;
@@ -382,7 +407,7 @@ bool NumericEntry::store() {
             forget(EntryField::Radius);
         }
         slot(*open_) = *number;
-        expressions_[static_cast<std::size_t>(*open_)] = expressionIn(text_);
+        expressions_[static_cast<std::size_t>(*open_)] = expressionIn(typed);
         text_.clear();
     }
     return true;

@@ -27,7 +27,8 @@ struct TypedPair {
 
 /// Parses two numbers or expressions of names separated by a comma, or two numbers separated by a space; "@" in front
 /// makes them relative. The entire text must be consumed.
-std::optional<TypedPair> parsePair(std::string_view text, const NamedValues &names = {});
+std::optional<TypedPair> parsePair(std::string_view text, const NamedValues &names = {},
+                                   LengthUnit unit = LengthUnit::None);
 
 /// A quantity that can be typed while drawing. Lengths in domain units, angles in degrees.
 enum class EntryField : std::uint8_t { X, Y, Distance, Angle, Width, Height, Radius, Diameter, Factor };
@@ -50,9 +51,10 @@ class NumericEntry {
     /// Handles an event. `fields` are those that the tool shows now, in Tab order; X first if there is no node to
     /// measure from. `names` are the parameters that expressions may use; where there is a node to measure from, their
     /// first letters open a field too, except X, Y, D, Q and those in `ownLetters`, which mean something else to the
-    /// tool.
+    /// tool. `unit`: of lengths, in which those typed in another one, such as "2 in", are converted; none: they are
+    /// refused.
     Answer handle(const CanvasEvent &event, std::span<const EntryField> fields, const NamedValues &names = {},
-                  std::string_view ownLetters = {});
+                  std::string_view ownLetters = {}, LengthUnit unit = LengthUnit::None);
 
     /// Returns the value of a field, including the number being typed into it; half the diameter for a radius that was
     /// typed as such.
@@ -95,6 +97,8 @@ class NumericEntry {
     bool byDiameter() const;
     std::string typedText(const std::string &stored) const;
     std::vector<EntryField> visible() const;
+    std::string typedIn(EntryField field) const;
+    bool continuesUnit(int letter) const;
     bool continuesExpression() const;
     bool beginsName(const CanvasEvent &event) const;
     void forget(EntryField field);
@@ -104,6 +108,7 @@ class NumericEntry {
     std::array<std::optional<double>, kEntryFields> values_;
     std::array<std::string, kEntryFields> expressions_; ///< of the values
     NamedValues names_;
+    LengthUnit unit_ = LengthUnit::None;
     std::string ownLetters_;
     std::optional<EntryField> open_;
     std::string text_;

@@ -68,12 +68,12 @@ void drawTagOption(Workspace &context, ui::Flow &flow, EditState &state, ShapeUs
 namespace {
 
 bool drawNumber(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
-                const char *tooltip, bool zero) {
+                const char *tooltip, bool zero, LengthUnit unit = LengthUnit::None) {
     flow.item(name);
     flow.label(label);
     double entered = value;
     const bool changed =
-        ui::inputNumber(context, name, entered, 76.0F) && ui::checkPositive(context, name, entered, zero);
+        ui::inputNumber(context, name, entered, 76.0F, {}, unit) && ui::checkPositive(context, name, entered, zero);
     ui::tooltip(context, tooltip);
     if (changed) {
         value = entered;
@@ -84,8 +84,8 @@ bool drawNumber(Workspace &context, ui::Flow &flow, const char *name, const char
 } // namespace
 
 bool drawSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
-                    const char *tooltip) {
-    return drawNumber(context, flow, name, label, value, tooltip, false);
+                    const char *tooltip, LengthUnit unit) {
+    return drawNumber(context, flow, name, label, value, tooltip, false, unit);
 }
 
 bool drawOptionalSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label,
@@ -93,7 +93,8 @@ bool drawOptionalSizeOption(Workspace &context, ui::Flow &flow, const char *name
     flow.item(name);
     flow.label(label);
     std::optional<double> entered = value;
-    const bool changed = ui::inputOptional(context, name, entered, hint, 76.0F) &&
+    const LengthUnit unit = context.document.current()->unit;
+    const bool changed = ui::inputOptional(context, name, entered, hint, 76.0F, {}, unit) &&
                          (!entered || ui::checkPositive(context, name, *entered));
     ui::tooltip(context, tooltip);
     if (changed) {
@@ -103,7 +104,7 @@ bool drawOptionalSizeOption(Workspace &context, ui::Flow &flow, const char *name
 }
 
 bool drawFormulaOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
-                       std::string &formula, const char *tooltip, bool zero) {
+                       std::string &formula, const char *tooltip, bool zero, LengthUnit unit) {
     if (const Result<double> now = evaluateFormula(*context.document.current(), formula); now && !formula.empty()) {
         value = *now;
     } else {
@@ -113,8 +114,8 @@ bool drawFormulaOption(Workspace &context, ui::Flow &flow, const char *name, con
     flow.label(label);
     double entered = value;
     std::string text = formula;
-    const bool changed =
-        ui::inputExpression(context, name, entered, text, 76.0F) && ui::checkPositive(context, name, entered, zero);
+    const bool changed = ui::inputExpression(context, name, entered, text, 76.0F, unit) &&
+                         ui::checkPositive(context, name, entered, zero);
     ui::tooltip(context, tooltip);
     if (changed) {
         value = entered;

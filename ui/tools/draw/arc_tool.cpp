@@ -10,6 +10,7 @@
 #include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/relation_options.hpp"
 
 #include <algorithm>
 #include <array>
@@ -187,6 +188,7 @@ void ArcTool::drawOptions(Shell &context, ui::Flow &flow) {
                          "around the centre in the direction of the arc.");
     drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next inner line");
     state_->drawSnapOptions(context, flow);
+    drawRelationOptions(context, flow);
 }
 
 std::string ArcTool::statusText(const Shell &) const {

@@ -29,6 +29,10 @@ class ArcTool final : public DrawingTool {
     void cancel() override { places_.clear(); }
     bool removeLast() override;
     std::span<const EntryField> entryFields() const override;
+    bool describePath(InferenceQuery &query) const override {
+        query.starts = places_;
+        return places_.size() < 2; // then the arc is on a circle
+    }
     Vec2 fitted(Vec2 at) override;
     void keepFormulas(const Shape &drawn, const Keep &keep) const override;
     bool followsEntry() const override;

@@ -7,6 +7,7 @@
 #include "ui/tools/common/tool_options.hpp"
 #include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/relation_options.hpp"
 
 #include <array>
 #include <cmath>
@@ -205,9 +206,11 @@ void BoxTool::drawOptions(Shell &context, ui::Flow &flow) {
     drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");
     if (kind_ == ShapeKind::Rectangle) {
         drawFormulaOption(context, flow, "options/cornerradius", "Corner radius", radius_, radiusFormula_,
-                          "Radius of the corners of the next rectangle; 0: sharp corners", true);
+                          "Radius of the corners of the next rectangle; 0: sharp corners", true,
+                          context.document.current()->unit);
     }
     state_->drawSnapOptions(context, flow);
+    drawRelationOptions(context, flow);
 }
 
 std::string BoxTool::statusText(const Shell &) const {

@@ -2,6 +2,7 @@
 
 #include "ui/parts/shell.hpp"
 #include "ui/tools/common/tool_options.hpp"
+#include "ui/workspace/relation_options.hpp"
 
 #include <utility>
 
@@ -26,6 +27,7 @@ void PointTool::drawSketch(CanvasPainter &painter, Shell &context) {
 void PointTool::drawOptions(Shell &context, ui::Flow &flow) {
     drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next point");
     state_->drawSnapOptions(context, flow);
+    drawRelationOptions(context, flow);
 }
 
 } // namespace forefront

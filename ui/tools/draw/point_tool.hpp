@@ -22,6 +22,7 @@ class PointTool final : public DrawingTool {
   protected:
     void place(Vec2 at, Shell &context) override;
     void drawSketch(CanvasPainter &painter, Shell &context) override;
+    bool describePath(InferenceQuery &) const override { return true; }
 };
 
 } // namespace forefront

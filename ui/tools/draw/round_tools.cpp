@@ -5,6 +5,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/tools/common/tool_options.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/relation_options.hpp"
 
 #include <array>
 #include <cmath>
@@ -87,6 +88,7 @@ void RegularPolygonTool::drawOptions(Shell &context, ui::Flow &flow) {
         sides_ = static_cast<int>(sides);
     }
     state_->drawSnapOptions(context, flow);
+    drawRelationOptions(context, flow);
 }
 
 std::string RegularPolygonTool::statusText(const Shell &) const {

@@ -27,6 +27,12 @@ class RegularPolygonTool final : public DrawingTool {
     void cancel() override { centre_.reset(); }
     bool dragPlaces() const override { return true; }
     std::span<const EntryField> entryFields() const override;
+    bool describePath(InferenceQuery &query) const override {
+        if (centre_) {
+            query.starts = {*centre_};
+        }
+        return true;
+    }
     void keepFormulas(const Shape &drawn, const Keep &keep) const override;
 
   private:

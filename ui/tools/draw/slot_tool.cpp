@@ -7,6 +7,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/tools/common/tool_options.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/relation_options.hpp"
 
 #include <algorithm>
 #include <array>
@@ -117,6 +118,7 @@ void SlotTool::drawSketch(CanvasPainter &painter, Shell &context) {
 void SlotTool::drawOptions(Shell &context, ui::Flow &flow) {
     drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");
     state_->drawSnapOptions(context, flow);
+    drawRelationOptions(context, flow);
 }
 
 std::string SlotTool::statusText(const Shell &) const {

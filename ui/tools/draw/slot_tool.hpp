@@ -30,6 +30,10 @@ class SlotTool final : public DrawingTool {
     void cancel() override { centres_.clear(); }
     bool removeLast() override;
     std::span<const EntryField> entryFields() const override;
+    bool describePath(InferenceQuery &query) const override {
+        query.starts = centres_;
+        return centres_.size() < 2; // then the width follows
+    }
     void keepFormulas(const Shape &drawn, const Keep &keep) const override;
 
   private:

@@ -20,12 +20,13 @@ namespace forefront {
 
 namespace {
 
-/// Draws a labelled field for a number. Returns true when it was changed.
+/// Draws a labelled field for a length, or for an angle. Returns true when it was changed.
 bool drawPlaceField(Shell &context, ui::Flow &flow, const char *name, const char *label, double &value,
-                    const char *tooltip) {
+                    const char *tooltip, bool angle = false) {
     flow.item(name);
     flow.label(label);
-    const bool changed = ui::inputNumber(context, name, value, 66.0F);
+    const LengthUnit unit = angle ? LengthUnit::None : context.document.current()->unit;
+    const bool changed = ui::inputNumber(context, name, value, 66.0F, {}, unit);
     ui::tooltip(context, tooltip);
     return changed;
 }
@@ -208,7 +209,7 @@ void PictureTool::drawPlace(Shell &context, ui::Flow &flow) {
     }
     double angle = picture.angle;
     if (drawPlaceField(context, flow, "options/picture/angle", "Angle", angle,
-                       "Angle of the picture in degrees, counter-clockwise about its lower left corner")) {
+                       "Angle of the picture in degrees, counter-clockwise about its lower left corner", true)) {
         picture.angle = std::remainder(angle, 360.0);
         change(context, picture, "Rotate background picture");
     }

@@ -181,7 +181,7 @@ bool SelectTool::typedMove(const CanvasEvent &event, Shell &context) {
         return false;
     }
     static constexpr std::array kDirection{EntryField::Distance, EntryField::Angle};
-    const NumericEntry::Answer answer = entry_.handle(event, kDirection, start_->spacing.names);
+    const NumericEntry::Answer answer = entry_.handle(event, kDirection, start_->spacing.names, {}, start_->unit);
     if (answer == NumericEntry::Answer::Unused) {
         return false;
     }

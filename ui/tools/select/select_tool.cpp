@@ -1,6 +1,7 @@
 #include "ui/tools/select/select_tool.hpp"
 
 #include "core/drawing/constraints/constraint_commands.hpp"
+#include "core/drawing/shapes/groups.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
@@ -26,6 +27,7 @@ CursorShape SelectTool::cursor() const {
 }
 
 void SelectTool::deactivate(Shell &context) {
+    guide_.cancel(context);
     mode_ = Mode::Idle;
     over_ = false;
     pointAtFace(context);
@@ -48,6 +50,13 @@ void choose(std::set<T> &set, const T &item, bool toggles) {
 
 } // namespace
 
+void SelectTool::selectShape(std::uint32_t shape, bool adds, Selection &selection) const {
+    const bool removes = adds && selection.shapes.contains(shape);
+    for (const std::uint32_t member : single_ ? std::set{shape} : shapesGroupedWith(*start_, shape)) {
+        removes ? void(selection.shapes.erase(member)) : void(selection.shapes.insert(member));
+    }
+}
+
 void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
     if (hit.kind == Hit::Kind::Control || hit.kind == Hit::Kind::Transform) {
         return;
@@ -67,7 +76,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
         const bool beside = adds && selection.nodes.empty() && !selection.shapes.empty() &&
                             (selection.shapes.size() > 1 || !selection.touches(hit.shape));
         if (beside || (shape != nullptr && shape->is<PointForm>())) {
-            choose(selection.shapes, hit.shape, adds);
+            selectShape(hit.shape, adds, selection);
         } else {
             choose(selection.nodes, hit.node, adds);
         }
@@ -86,11 +95,11 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
         if (segment) {
             choose(selection.segments, hit.segment->ref, adds);
         } else {
-            choose(selection.shapes, hit.shape, adds);
+            selectShape(hit.shape, adds, selection);
         }
         break;
     case Hit::Kind::Inside:
-        choose(selection.shapes, hit.shape, adds);
+        selectShape(hit.shape, adds, selection);
         break;
     case Hit::Kind::Control:
     case Hit::Kind::Transform:
@@ -143,6 +152,7 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     pressPixel_ = event.pixel;
     pressPlace_ = boxPlace_ = event.place;
     adds_ = event.modifiers.shift();
+    single_ = event.modifiers.control();
     if (pressLabel(event, context)) {
         mode_ = Mode::Idle;
         return;
@@ -246,6 +256,7 @@ void SelectTool::selectInside(Vec2 end, Shell &context) {
     if (!adds_) {
         context.selection.clear();
     }
+    completeGroups(*context.document.current(), inside);
     context.selection.shapes.merge(inside.shapes);
     context.selection.nodes.merge(inside.nodes);
     context.selection.sources.merge(inside.sources);

@@ -18,9 +18,9 @@
 
 namespace forefront {
 
-/// Selects by click, box and, with Alt, lasso; drags nodes, control points, segments, shapes, sources and markers;
-/// inserts a node by a double-click on a segment, renames by one on a label; scales and rotates the selection with its
-/// handles.
+/// Selects by click (groups as one, single shapes of them with Ctrl), box and, with Alt, lasso; drags nodes, control
+/// points, segments, shapes, sources and markers; inserts a node by a double-click on a segment, renames by one on a
+/// label; scales and rotates the selection with its handles.
 class SelectTool final : public Tool {
   public:
     explicit SelectTool(std::shared_ptr<EditState> state) : state_(state), transform_(std::move(state)) {}
@@ -84,6 +84,8 @@ class SelectTool final : public Tool {
     std::optional<Control> controlAt(Vec2 place, Shell &context) const;
     bool isSelected(const Hit &hit, const Selection &selection) const;
     void select(const Hit &hit, bool adds, Selection &selection) const;
+    /// Selects a shape with its group, or alone if Ctrl was down at the press; with `adds`, adds or removes them.
+    void selectShape(std::uint32_t shape, bool adds, Selection &selection) const;
     void press(const CanvasEvent &event, Shell &context);
     bool pressLabel(const CanvasEvent &event, Shell &context);
     void openMenu(const CanvasEvent &event, Shell &context);
@@ -123,6 +125,7 @@ class SelectTool final : public Tool {
     bool over_ = false;
     bool wasSelected_ = false; ///< the pressed item was already selected
     bool adds_ = false;        ///< Shift was down
+    bool single_ = false;      ///< Ctrl was down: a shape is selected without its group
     bool alone_ = false;       ///< Alt is down: nodes leave their joints, a control point moves without its opposite
     std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
     Pixel pressPixel_{};

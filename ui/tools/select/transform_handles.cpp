@@ -191,7 +191,7 @@ bool TransformHandles::typed(const CanvasEvent &event, Shell &context) {
         return false;
     }
     const std::array fields{handle_.rotates ? EntryField::Angle : EntryField::Factor};
-    const NumericEntry::Answer answer = entry_.handle(event, fields, start_->spacing.names);
+    const NumericEntry::Answer answer = entry_.handle(event, fields, start_->spacing.names, {}, start_->unit);
     if (answer == NumericEntry::Answer::Unused && isKey && event.key == key::kEscape) {
         context.document.abandonStroke(stroke_);
         end();

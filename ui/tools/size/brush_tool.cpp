@@ -294,17 +294,18 @@ void BrushTool::drawModes(Shell &context, ui::Flow &flow) {
 }
 
 void BrushTool::drawOptions(Shell &context, ui::Flow &flow) {
-    if (double shown = radius(context); drawSizeOption(context, flow, "options/brush/radius", "Radius", shown,
-                                                       "Brush radius. Also [ and ], or Ctrl + wheel.")) {
+    if (double shown = radius(context);
+        drawSizeOption(context, flow, "options/brush/radius", "Radius", shown,
+                       "Brush radius. Also [ and ], or Ctrl + wheel.", context.document.current()->unit)) {
         state_->brushRadius = shown;
     }
     if (!erases_) {
         drawModes(context, flow);
     }
     if (sets()) {
-        if (double shown = spacing(context);
-            drawSizeOption(context, flow, "options/brush/spacing", "Spacing \xcf\x81", shown,
-                           "Element size to paint. Also Shift + [ and ], or Shift + wheel.")) {
+        if (double shown = spacing(context); drawSizeOption(
+                context, flow, "options/brush/spacing", "Spacing \xcf\x81", shown,
+                "Element size to paint. Also Shift + [ and ], or Shift + wheel.", context.document.current()->unit)) {
             state_->brushSpacing = shown;
         }
     }

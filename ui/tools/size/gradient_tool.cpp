@@ -177,10 +177,12 @@ void GradientTool::drawOptions(Shell &context, ui::Flow &flow) {
     const Vec2 at = first_.value_or(over_ ? pointer_.at : context.view.camera.centre);
     const SizeSource shown = gradient(at, at, context);
     double size = shown.size, endSize = *shown.endSize;
-    if (drawSizeOption(context, flow, "options/gradient/size", "From", size, "Element size at the first end")) {
+    if (drawSizeOption(context, flow, "options/gradient/size", "From", size, "Element size at the first end",
+                       context.document.current()->unit)) {
         state_->gradientSize = size;
     }
-    if (drawSizeOption(context, flow, "options/gradient/endsize", "To", endSize, "Element size at the second end")) {
+    if (drawSizeOption(context, flow, "options/gradient/endsize", "To", endSize, "Element size at the second end",
+                       context.document.current()->unit)) {
         state_->gradientEndSize = endSize;
     }
     flow.item("geometric");

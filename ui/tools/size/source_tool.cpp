@@ -156,7 +156,7 @@ void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
     }
     double shown = size(context, first_.value_or(over_ ? pointer_.at : context.view.camera.centre));
     if (drawFormulaOption(context, flow, "options/source/size", "Size", shown, state_->sourceSizeFormula,
-                          "Element size at the source", false) ||
+                          "Element size at the source", false, context.document.current()->unit) ||
         !state_->sourceSizeFormula.empty()) {
         state_->sourceSize = shown;
     }

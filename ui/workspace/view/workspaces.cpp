@@ -9,8 +9,8 @@ namespace {
 using Ids = std::string_view;
 
 // What follows the selection is below what does not, which stays in place.
-constexpr std::array<Ids, 4> kDrawPanels{"shapes", "parameters", "inspector", "names"};
-constexpr std::array<Ids, 1> kDrawFolded{"names"};
+constexpr std::array<Ids, 5> kDrawPanels{"shapes", "parameters", "inspector", "nodes", "names"};
+constexpr std::array<Ids, 2> kDrawFolded{"nodes", "names"};
 constexpr std::array<Ids, 15> kDrawTools{"select",  "polygon", "polyline", "rectangle", "circle",
                                          "ellipse", "regular", "slot",     "arc",       "point",
                                          "trim",    "region",  "measure",  "picture",   "outline"};

@@ -166,6 +166,7 @@ void SvgDrawer::placeAxes() {
         }
     }
     viewport_ = axes.viewport;
+    source_.measured(axes.lengthUnit);
     if (!axes.unit.empty()) {
         note(root_, "svg-units", "coordinates are in " + unitName(axes.unit) + ", the unit of the document's size");
     }

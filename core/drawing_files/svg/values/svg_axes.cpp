@@ -66,6 +66,9 @@ SvgAxes axesOf(const pugi::xml_node &root) {
         scale.x = scale.y = isPhysical(width) ? 1.0 / *pixelsPer(width->unit) : 1.0;
     }
     axes.map = AffineMap{scale.x, 0, 0, scale.y, 0, 0} * axes.map;
+    if (isPhysical(width)) {
+        axes.lengthUnit = fromWord<LengthUnit>(width->unit).value_or(LengthUnit::None);
+    }
     if (scale.x != 1.0) {
         axes.unit = width->unit;
     }

@@ -1,0 +1,76 @@
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace forefront;
+using namespace forefront::test;
+
+namespace {
+
+/// Draws a triangle to which later nodes may be level, and finds relations.
+void drawReference(Draughtsman &driver) {
+    Shape shape;
+    shape.nodes = {{1, 1}, {3, 1}, {1, 3}};
+    driver.context().document.apply(*addShape({}, shape), "Draw");
+    driver.context().snapping.infers = true;
+    driver.context().snapping.toGrid = false;
+    driver.settle();
+}
+
+/// Clicks at a place some pixels away from where it is.
+void clickNear(Draughtsman &driver, Vec2 place, Pixel away) {
+    driver.clickAt(driver.pixel(place) + away);
+    driver.frames(30);
+}
+
+const Shape &drawn(Draughtsman &driver) {
+    REQUIRE(driver.document().shapes.size() == 2);
+    return *driver.document().shapes[1];
+}
+
+} // namespace
+
+TEST_CASE("Relations: corners of rectangles and centres of circles are level with nodes; Ctrl refuses") {
+    Draughtsman driver;
+    drawReference(driver);
+    driver.key('R');
+    clickNear(driver, {5, 1}, {0, 3});
+    clickNear(driver, {7, 3}, {0, 3});
+    CHECK(drawn(driver).nodes[0].y == 1.0);
+    CHECK(drawn(driver).nodes[1].y == 3.0);
+    driver.key('Z', kControl);
+    driver.key('C');
+    clickNear(driver, {6, 3}, {0, -3});
+    clickNear(driver, {7, 4}, {0, 0});
+    CHECK(drawn(driver).nodes[0].y == 3.0);
+    driver.key('Z', kControl);
+    driver.key('C');
+    driver.hold(kControl, true);
+    clickNear(driver, {6, 3}, {0, -3});
+    driver.hold(kControl, false);
+    clickNear(driver, {7, 4}, {0, 0});
+    CHECK(drawn(driver).nodes[0].y != 3.0);
+}
+
+TEST_CASE("Relations: the axis of a slot and the first radius of a regular polygon become horizontal") {
+    Draughtsman driver;
+    drawReference(driver);
+    driver.key('U');
+    clickNear(driver, {5, 6.5}, {0, 0});
+    clickNear(driver, {8, 6.5}, {0, 3});
+    clickNear(driver, {7, 7.2}, {0, 0});
+    CHECK(drawn(driver).nodes[0].y == drawn(driver).nodes[1].y);
+    driver.key('Z', kControl);
+    driver.key('H');
+    clickNear(driver, {6, 6.5}, {0, 0});
+    clickNear(driver, {8, 6.5}, {0, 3});
+    const std::vector<Vec2> &nodes = drawn(driver).nodes;
+    Vec2 centre;
+    for (const Vec2 node : nodes) {
+        centre = centre + (1.0 / static_cast<double>(nodes.size())) * node;
+    }
+    CHECK(nodes[0].y == doctest::Approx(centre.y).epsilon(1e-12));
+}
