@@ -45,7 +45,7 @@ if [ ! -f "$libraries/include/headers" ]; then
     touch "$libraries/include/headers"
 fi
 
-# library SOURCE ARCHIVE OPTION...: fetches a Debian source package, builds it and installs it into $libraries.
+# library SOURCE OPTION...: fetches a Debian source package, builds it and installs it into $libraries.
 library() {
     name=$1
     [ ! -f "$libraries/source/$name.built" ] || return 0
@@ -53,7 +53,8 @@ library() {
     rm -rf "$libraries/source/$name"
     mkdir "$libraries/source/$name"
     cd "$libraries/source/$name"
-    quietly sh -c "apt-get $apt source --download-only $name && tar -xf ./*.orig.tar.* --strip-components=1"
+    quietly apt_source source --download-only "$name"
+    quietly tar -xf ./*.orig.tar.* --strip-components=1
     shift
     quietly cmake -G Ninja -B build -DCMAKE_TOOLCHAIN_FILE="$root/app/windows/mingw.cmake" -DCMAKE_BUILD_TYPE=Release \
         -DCMAKE_INSTALL_PREFIX="$libraries" -DCMAKE_STAGING_PREFIX="$libraries" -DBUILD_SHARED_LIBS=OFF "$@"
@@ -62,6 +63,7 @@ library() {
     touch "$libraries/source/$name.built"
 }
 # The lists of Debian's sources, kept apart from those of this system.
+# shellcheck source=/dev/null
 . /etc/os-release
 cat >"$libraries/source/debian.sources" <<END
 Types: deb-src
@@ -70,11 +72,13 @@ Suites: $VERSION_CODENAME
 Components: main
 Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
 END
-apt="-o Dir::Etc::sourcelist=$libraries/source/debian.sources -o Dir::Etc::sourceparts=- -o APT::Sandbox::User=root
-    -o Dir::State::lists=$libraries/source/lists -o Dir::Cache::srcpkgcache= -o Dir::Cache::pkgcache="
-apt=$(echo $apt)
+apt_source() {
+    apt-get -o Dir::Etc::sourcelist="$libraries/source/debian.sources" -o Dir::Etc::sourceparts=- \
+        -o Dir::State::lists="$libraries/source/lists" -o Dir::Cache::srcpkgcache= -o Dir::Cache::pkgcache= \
+        -o APT::Sandbox::User=root "$@"
+}
 if [ ! -f "$libraries/source/libpng1.6.built" ] || [ ! -f "$libraries/source/pugixml.built" ]; then
-    quietly sh -c "apt-get $apt update"
+    quietly apt_source update
 fi
 library pugixml
 library libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF
