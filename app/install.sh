@@ -2,11 +2,13 @@
 # Installs the Debian 12 packages that Forefront needs and that are not installed yet. If none is missing, it takes less
 # than a second and needs no root.
 #
-#   sh app/install.sh [--headless] [--tests] [--packages]
+#   sh app/install.sh [--headless] [--tests] [--packages] [--windows] [--wine]
 #
 #   --headless   only what the library and the batch program need, no graphics
 #   --tests      also what the tests need, including the programs that read exported files (tests/packages.txt)
 #   --packages   also what app/package.sh needs
+#   --windows    also what app/windows/build.sh needs
+#   --wine       also what runs its programs
 # shellcheck disable=SC2086  # lists of packages are split into words on purpose
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -18,14 +20,15 @@ tests='doctest-dev nlohmann-json3-dev libboost-dev libmuparser-dev python3 xvfb 
     librsvg2-bin libhdf5-dev libgdal-dev ccache clang clang-format clang-tidy desktop-file-utils doxygen gcovr git pybind11-dev
     python3-dev python3-numpy python3-pytest python3-setuptools python3-wheel python3-build python3-pip'
 packages='libhdf5-dev libgdal-dev dpkg-dev lintian mmdebstrap fakeroot file appstream desktop-file-utils librsvg2-bin pybind11-dev python3-dev python3-numpy'
+windows='g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev'
 
 wanted="$core $editor"
 for option in "$@"; do
     case $option in
     --headless) wanted=$core ;;
-    --tests | --packages) ;;
+    --tests | --packages | --windows | --wine) ;;
     -h | --help)
-        sed -n '2,9s/^# \{0,1\}//p' "$0"
+        sed -n '2,11s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
     *)
@@ -37,6 +40,12 @@ done
 for option in "$@"; do
     if [ "$option" = --packages ]; then
         wanted="$wanted $packages"
+    fi
+    if [ "$option" = --windows ]; then
+        wanted="$wanted $windows"
+    fi
+    if [ "$option" = --wine ]; then
+        wanted="$wanted wine64"
     fi
     if [ "$option" = --tests ]; then
         wanted="$wanted $tests"

@@ -45,6 +45,9 @@ Examples:
         nodes on the right side that are images of those on the left, and pairs of them in the file
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
+  forefront mesh part.dxf -o part.inp --size 2
+        layers of a drawing as boundary parts: LOAD becomes the node set LOAD and the surface S_LOAD in the Abaqus input,
+        which a job of CalculiX reads by *INCLUDE, INPUT=part.inp
   forefront mesh plate.json -o plate.foam
         a case of OpenFOAM, one cell thick
   forefront mesh lake.geojson -o lake.14 --elevation depth.asc

@@ -240,8 +240,10 @@ constexpr std::array kFormats = {
                      .holdsSolids = true,
                      .namesUnit = true,
                      .program = "CalculiX",
-                     .keeps = "Keeps regions as element sets, boundary parts as node sets and surfaces, points as node "
-                              "sets, all with names that the solver accepts. Elements are CPS3."},
+                     .keeps = "Keeps regions as element sets, boundary parts as node sets NAME and surfaces S_NAME, "
+                              "points as node sets, all with names that the solver accepts; NALL and EALL hold all "
+                              "nodes and elements. Elements are CPS3, CPS4, CPS6 and CPS8, of solids C3D6 and C3D8. A "
+                              "job reads the file by *INCLUDE."},
            .recognise = looksLikeAbaqus,
            .readMesh = readAbaqus,
            .writeWith = writeAbaqusWith,

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Installs the Debian packages of build/package into a bare Debian 12 root, as a user of that system would, and uses each:
-# a mesh by the program, the editor's window with its icons under Xvfb, a consumer of the library built with CMake and with
-# pkg-config, a mesh from Python. All meshes of one domain must be the same. Finally, removing the packages must leave
-# no file behind. Needs root and a network; takes some minutes.
+# a mesh by the program, files by the components for HDF5 and GDAL, the editor's window with its icons under Xvfb, a
+# consumer of the library built with CMake and with pkg-config, a mesh from Python. All meshes of one domain must be the
+# same. Finally, removing the packages must leave no file behind. Needs root and a network; takes some minutes.
 #
 #   sh tests/package/bare_root.sh [FOLDER]
 #
@@ -16,7 +16,7 @@ fail() {
     exit 1
 }
 [ "$(id -u)" -eq 0 ] || fail "must run as root: it installs packages into a root of its own"
-for name in forefront libforefront0.3 libforefront-dev python3-forefront; do
+for name in forefront forefront-hdf5 forefront-gdal libforefront0.3 libforefront-dev python3-forefront; do
     set -- "$packages/${name}"_*.deb
     [ -f "$1" ] || fail "$name is missing in $packages; build it with: sh app/package.sh"
 done
@@ -53,6 +53,27 @@ quietly in_root sh -c 'apt-get install -y --no-install-recommends /packages/fore
 echo "  $(($(installed) - before)) packages, forefront among them"
 in_root forefront mesh /usr/share/forefront/assets/samples/plate.json -o /tmp/plate.msh --stats /tmp/plate.stats >/dev/null
 in_root forefront check /tmp/plate.msh >/dev/null || fail "forefront check refuses the mesh"
+
+echo "+ components"
+hash_of() { in_root forefront check "$1" --stats - | sed -n 's/.*"hash": "\([^"]*\)".*/\1/p'; }
+cat >"$root/tmp/lake.kml" <<'END'
+<kml xmlns="http://www.opengis.net/kml/2.2"><Document><Placemark><name>lake</name><Polygon><outerBoundaryIs><LinearRing>
+<coordinates>10,60 10.1,60 10.1,60.05 10,60.05 10,60</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark>
+</Document></kml>
+END
+for file in plate.xdmf lake.vtu; do
+    case $file in
+    plate.xdmf) set -- convert /tmp/plate.msh ;;
+    lake.vtu) set -- mesh /tmp/lake.kml --projection local ;;
+    esac
+    ! in_root forefront "$@" -o "/tmp/$file" >"$log" 2>&1 || fail "$file is written without its component"
+    grep -q missing-component "$log" || fail "without its component: $(cat "$log")"
+done
+quietly in_root sh -c 'apt-get install -y --no-install-recommends /packages/forefront-hdf5_*.deb /packages/forefront-gdal_*.deb'
+quietly in_root forefront convert /tmp/plate.msh -o /tmp/plate.xdmf
+quietly in_root forefront mesh /tmp/lake.kml --projection local -o /tmp/lake.vtu
+[ "$(hash_of /tmp/plate.xdmf)" = "$(hash_of /tmp/plate.msh)" ] || fail "XDMF does not give the same mesh back"
+echo "  XDMF and KML; without the components, the messages name them"
 
 echo "+ window"
 Xvfb -displayfd 3 -screen 0 1600x1000x24 -ac 3>"$top/display" 2>/dev/null &
@@ -101,15 +122,15 @@ END
 quietly in_root sh -c 'cd /consumer && cmake -B build && cmake --build build && build/consumer && mv rectangle.msh cmake.msh'
 quietly in_root sh -c 'cd /consumer && c++ -std=c++20 consumer.cpp -o by_pc $(pkg-config --cflags --libs forefront) && ./by_pc'
 cmp "$root/consumer/cmake.msh" "$root/consumer/rectangle.msh" || fail "CMake and pkg-config give different meshes"
-cpp=$(in_root forefront check /consumer/rectangle.msh --stats - | sed -n 's/.*"hash": "\([^"]*\)".*/\1/p')
+cpp=$(hash_of /consumer/rectangle.msh)
 if [ -z "$cpp" ] || [ "$cpp" != "$python" ]; then
     fail "the hash is $cpp from C++ and $python from Python"
 fi
 echo "  hash $cpp from C++, Python and the program"
 
 echo "+ apt purge"
-quietly in_root sh -c 'dpkg -L forefront libforefront0.3 libforefront-dev python3-forefront | grep -i forefront >/tmp/files;
-    apt-get purge -y forefront libforefront0.3 libforefront-dev python3-forefront'
+ours='forefront forefront-hdf5 forefront-gdal libforefront0.3 libforefront-dev python3-forefront'
+quietly in_root sh -c "dpkg -L $ours | grep -i forefront >/tmp/files; apt-get purge -y $ours"
 left=$(in_root sh -c 'while read -r file; do [ ! -e "$file" ] || echo "$file"; done </tmp/files')
 [ -z "$left" ] || fail "left behind: $left"
 echo "the packages work in a bare Debian 12"

@@ -19,7 +19,7 @@ ORDERS = {
     "core/teaching": ["moment", "lesson page trace", "film", "tables"],
     "ui/tools": ["common", "draw select size look", "."],
     "ui/workspace": ["document", "messages", "view", "mesh", "run", "."],
-    "ui": ["input style background", "platform", "widgets", "canvas", "gl", "workspace", "parts", "layers tools panels dialogs", "lessons", "shell",
+    "ui": ["input", "style background", "platform", "widgets", "canvas", "gl", "workspace", "parts", "layers tools panels dialogs", "lessons", "shell",
            "editor", "."],
 }
 FORBIDDEN = {"core/": r"(ui|app)/|GL/|GLES|EGL|GLFW|imgui|implot|glad", "ui/": r"app/"}

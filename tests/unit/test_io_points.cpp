@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -178,6 +179,52 @@ TEST_CASE("FEMM: segments, arcs, labels, holes and areas") {
     CHECK(pt::faultOf(readFemm, changed("4\t0\t0\t0\n", "4\tx\t0\t0\n")).line == 19);
     CHECK(pt::faultOf(readFemm, "[Format] = 4.0\n[NumPoints] = 3\n0 0 0 0\n").code == "bad-count");
     CHECK(pt::faultOf(readFemm, "[Format] = 4.0\n").code == "empty-domain");
+}
+
+TEST_CASE("FEMM: what lies outside is left out, lone nodes and point properties are points") {
+    // A square with a square hole at its left side, so that the side between them bounds nothing; a lone node inside,
+    // one in the hole, one outside with a property; a default label outside.
+    const std::string text =
+        "[Format] = 4.0\n[LengthUnits] = inches\n[PointProps] = 1\n<BeginPoint>\n<PointName> = \"fixed\"\n<EndPoint>\n"
+        "[BlockProps] = 2\n<BeginBlock>\n<BlockName> = \"Air\"\n<EndBlock>\n<BeginBlock>\n<BlockName> = \"Iron\"\n"
+        "<EndBlock>\n[NumPoints] = 11\n0 0 0 0\n4 0 1 0\n4 4 0 0\n0 4 0 0\n0 1 0 0\n1 1 0 0\n1 2 0 0\n0 2 0 0\n"
+        "3 3 0 0\n0.5 1.5 0 0\n9 9 1 0\n"
+        "[NumSegments] = 8\n0 1 -1 0 0 0\n1 2 -1 0 0 0\n2 3 -1 0 0 0\n3 7 -1 0 0 0\n7 4 -1 0 0 0\n4 0 -1 0 0 0\n"
+        "4 5 -1 0 0 0\n5 6 -1 0 0 0\n";
+    const std::string end =
+        "[NumHoles] = 1\n0.5 1.4 0\n[NumBlockLabels] = 2\n2 2 1 -1 0 0 0 1 0\n8 8 2 0.5 0 0 0 1 2\n";
+    const auto withSides = [&text](const std::string &count, const std::string &sides) {
+        std::string other = text;
+        return other.replace(other.find("= 8\n") + 2, 1, count) + sides;
+    };
+    ImportNotes notes;
+    const DomainFile file = pt::readOf(readFemm, withSides("9", "6 7 -1 0 0 0\n") + end, &notes);
+    const Domain &domain = file.domain;
+    CHECK(validate(domain).empty());
+    CHECK(domain.nodes.size() == 9);
+    CHECK(domain.segments.size() == 8);
+    CHECK(domain.holeMarkers.empty());
+    REQUIRE(domain.points.size() == 2);
+    CHECK(domain.nodes[domain.points[0].node] == Vec2{4, 0});
+    CHECK(domain.boundaryNames.at(domain.points[0].tag) == "fixed");
+    CHECK(domain.nodes[domain.points[1].node] == Vec2{3, 3});
+    REQUIRE(domain.regionMarkers.size() == 1);
+    CHECK(domain.regionNames.at(domain.regionMarkers[0].tag) == "Air");
+    CHECK(domain.regionNames.at(1) == "Iron"); // of faces without a label
+    std::vector<std::string> left;
+    for (const ImportNote &note : notes.entries()) {
+        left.push_back(note.code + ' ' + std::to_string(note.line));
+    }
+    CHECK(left == std::vector<std::string>{"femm-units 2", "femm-outside 31", "femm-outside 40", "femm-outside 24",
+                                           "femm-outside 37"});
+    // Crossing segments are left to validation, with all parts in place.
+    const DomainFile crossing = pt::readOf(readFemm, withSides("10", "6 0 -1 0 0 0\n1 7 -1 0 0 0\n") + end);
+    CHECK(crossing.domain.nodes.size() == 11);
+    // Problems other than magnetic ones have shorter labels.
+    const DomainFile heat =
+        pt::readOf(readFemm, withSides("9", "6 7 -1 0 0 0\n") +
+                                 "[NumHoles] = 0\n[NumBlockLabels] = 2\n2 2 1 -1 0 0\n8 8 2 0 0 2\n");
+    CHECK(heat.domain.regionNames.at(1) == "Iron");
 }
 
 TEST_CASE("Formats: the content decides where the extension is ambiguous") {

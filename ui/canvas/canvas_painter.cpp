@@ -1,6 +1,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "ui/style/imgui_versions.hpp"
 
 #include <glm/common.hpp>
 #include <imgui.h>
@@ -206,7 +207,7 @@ void CanvasPainter::dashedCircle(Vec2 centre, double radius, Colour colour, doub
 namespace {
 
 ImVec2 extentOf(ImFont &font, std::string_view text) {
-    return font.CalcTextSizeA(font.FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
+    return font.CalcTextSizeA(imgui::lineOf(font), 1e9F, 0.0F, text.data(), text.data() + text.size());
 }
 
 constexpr double kLabelPadX = 5.0, kLabelPadY = 2.0; // design pixels
@@ -225,7 +226,7 @@ void CanvasPainter::drawLabel(const PixelRect &rect, std::string_view text, Colo
                               bool free) {
     ImFont *used = font != nullptr ? font : ImGui::GetFont();
     list_.AddRectFilled(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), plate, im(4.0 * scale_));
-    list_.AddText(used, used->FontSize, im({rect.x + kLabelPadX * scale_, rect.y + kLabelPadY * scale_}), colour,
+    list_.AddText(used, imgui::lineOf(*used), im({rect.x + kLabelPadX * scale_, rect.y + kLabelPadY * scale_}), colour,
                   text.data(), text.data() + text.size());
     space_.take(rect);
     placed_.push_back({rect, std::string(text), free});
@@ -344,10 +345,10 @@ void CanvasPainter::reserve(Vec2 place, double radius) {
 
 void CanvasPainter::text(Vec2 at, std::string_view text, Colour colour, ImFont *font) {
     ImFont *used = font != nullptr ? font : ImGui::GetFont();
-    const ImVec2 size = used->CalcTextSizeA(used->FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
+    const ImVec2 size = used->CalcTextSizeA(imgui::lineOf(*used), 1e9F, 0.0F, text.data(), text.data() + text.size());
     const Pixel p = camera_.toPixel(at);
-    list_.AddText(used, used->FontSize, im({std::round(p.x - 0.5 * size.x), std::round(p.y - 0.5 * size.y)}), colour,
-                  text.data(), text.data() + text.size());
+    list_.AddText(used, imgui::lineOf(*used), im({std::round(p.x - 0.5 * size.x), std::round(p.y - 0.5 * size.y)}),
+                  colour, text.data(), text.data() + text.size());
 }
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #include "ui/canvas/legend.hpp"
 
 #include "ui/canvas/ruler_scale.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -17,7 +18,7 @@ ImVec2 im(double x, double y) {
 }
 
 ImVec2 extent(ImFont *font, const std::string &text) {
-    return font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, text.c_str());
+    return font->CalcTextSizeA(imgui::lineOf(*font), 1e9F, 0.0F, text.c_str());
 }
 
 /// Hatches the bad side of a limit and draws the tick by which it is dragged.
@@ -77,7 +78,7 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
     list.AddRectFilled(im(left, top), im(left + width, top + height), fade(theme.popup, 0.92), round);
     list.AddRect(im(left, top), im(left + width, top + height), theme.popupBorder, round);
     const PixelRect rect = colourBarRect(corner, s);
-    list.AddText(fonts.small, fonts.small->FontSize, im(rect.x, top + 6.0 * s), theme.muted, bar.title.c_str());
+    list.AddText(fonts.small, imgui::lineOf(*fonts.small), im(rect.x, top + 6.0 * s), theme.muted, bar.title.c_str());
     const auto colour = [&](double t) { return mix(theme.domain, bar.map(t), bar.opacity); };
     constexpr int kPieces = 64;
     for (int i = 0; i < kPieces; ++i) {
@@ -93,7 +94,7 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
         const double at = rect.x + label.at * rect.width; // a tick whose number has no room is left out with it
         const double y = rect.y + rect.height;
         list.AddLine(im(at, y), im(at, y + 3.0 * s), theme.muted);
-        list.AddText(fonts.small, fonts.small->FontSize, im(rect.x + label.left, y + 3.0 * s), theme.text,
+        list.AddText(fonts.small, imgui::lineOf(*fonts.small), im(rect.x + label.left, y + 3.0 * s), theme.text,
                      label.text.c_str());
     }
 }

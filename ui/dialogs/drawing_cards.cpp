@@ -3,6 +3,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/style/colour_map.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/shortened.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -98,8 +99,8 @@ DrawingCards::DrawingCards(BackgroundList &list, std::vector<Card> cards)
 bool DrawingCards::drawCard(Shell &context, std::size_t index, const std::string &name, float width, bool small) {
     const Card &card = cards_[index];
     const float picture = context.px(small ? kSmallPicture : kPictureHeight);
-    const float words = context.fonts.strong->FontSize + context.px(20) +
-                        (small ? 0.0F : 2.0F * context.fonts.small->FontSize + context.px(6));
+    const float words = imgui::lineOf(*context.fonts.strong) + context.px(20) +
+                        (small ? 0.0F : 2.0F * imgui::lineOf(*context.fonts.small) + context.px(6));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{width, picture + words};
     const bool pressed = ui::hitArea(name.c_str(), size.x, size.y);
@@ -120,7 +121,7 @@ bool DrawingCards::drawCard(Shell &context, std::size_t index, const std::string
     ui::shortened(context, Pixel(left, y), left + room, card.title, context.theme.text);
     ImGui::PopFont();
     if (!small) {
-        y += context.fonts.strong->FontSize + context.px(2);
+        y += imgui::lineOf(*context.fonts.strong) + context.px(2);
         ImGui::PushFont(context.fonts.small);
         list.AddText({left, y}, context.theme.muted, ui::twoLines(card.about, room).c_str());
         ImGui::PopFont();

@@ -4,6 +4,7 @@
 #include "core/files/files.hpp"
 #include "core/files/source/source.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -181,9 +182,9 @@ void FileDialog::typeAhead(Shell &context) {
     const auto chosen = std::find_if(entries_.begin(), entries_.end(),
                                      [&](const FileEntry &entry) { return entry.name == request_.name; });
     auto next = entries_.end();
-    if (ImGui::IsKeyPressed(key::kDown)) {
+    if (imgui::keyPressed(key::kDown)) {
         next = chosen == entries_.end() ? entries_.begin() : std::min(chosen + 1, entries_.end() - 1);
-    } else if (ImGui::IsKeyPressed(key::kUp)) {
+    } else if (imgui::keyPressed(key::kUp)) {
         next = chosen == entries_.end() || chosen == entries_.begin() ? entries_.begin() : chosen - 1;
     }
     const ImVector<ImWchar> &typed = ImGui::GetIO().InputQueueCharacters;
@@ -328,7 +329,7 @@ bool FileDialog::followReading(Shell &context) {
     if (!reading_) {
         return true;
     }
-    if (ImGui::IsKeyPressed(key::kEscape, false)) {
+    if (imgui::keyPressed(key::kEscape, false)) {
         cancelReading(context);
         return true;
     }

@@ -1,5 +1,6 @@
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -37,7 +38,7 @@ float FileDialog::bottomHeight(const Shell &context) const {
                       (hasNotes() ? 1 : 0);
     if (hasNotes()) {
         const float width = ImGui::GetContentRegionMax().x - context.px(kNoteIndent);
-        more += static_cast<float>(noteLines(context, width) - 2) * context.fonts.small->FontSize;
+        more += static_cast<float>(noteLines(context, width) - 2) * imgui::lineOf(*context.fonts.small);
     }
     return context.px(kPlain + lines * kLine) + more;
 }

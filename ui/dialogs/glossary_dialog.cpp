@@ -2,6 +2,7 @@
 
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -75,7 +76,7 @@ GlossaryDialog::GlossaryDialog(std::string_view term) : term_(glossaryTerm(term)
 void GlossaryDialog::drawList(Shell &context) {
     const GlossaryTerm *const before = term_;
     const std::span<const GlossaryTerm> all = glossary();
-    const bool up = ImGui::IsKeyPressed(key::kUp), down = ImGui::IsKeyPressed(key::kDown);
+    const bool up = imgui::keyPressed(key::kUp), down = imgui::keyPressed(key::kDown);
     if (up && term_ != &all.front()) {
         --term_;
     } else if (down && term_ != &all.back()) {

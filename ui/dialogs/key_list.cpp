@@ -2,6 +2,7 @@
 
 #include "core/engine/base/letter_case.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -36,7 +37,7 @@ std::optional<Shortcut> pressedShortcut() {
                                                    (io.KeyAlt ? Modifiers::kAlt : 0))};
     for (int code = key::kSpace; code < key::kLeftShift; ++code) {
         const Shortcut shortcut{code, held};
-        if (ImGui::IsKeyPressed(code, false) && parseShortcut(toString(shortcut)) == shortcut) {
+        if (imgui::keyPressed(code, false) && parseShortcut(toString(shortcut)) == shortcut) {
             return shortcut;
         }
     }

@@ -3,6 +3,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/pointer_hints.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
 
@@ -187,7 +188,7 @@ void CanvasInput::fieldKey(const InputEvent &event, Shell &context) {
 /// Opens a menu of the bar for its letter with Alt, or the first one for F10. Returns false for other keys. A field
 /// commits its text first, and keeps the focus if that is refused.
 bool CanvasInput::openMenu(const InputEvent &event, Shell &context) {
-    const bool leftAlt = ImGui::GetIO().KeysDown[key::kLeftAlt]; // the right one types characters on many keyboards
+    const bool leftAlt = imgui::keyHeld(key::kLeftAlt); // the right one types characters on many keyboards
     const bool letter = modifiers_ == kAlt && leftAlt && event.code >= 'A' && event.code <= 'Z';
     const bool first = modifiers_.none() && event.code == key::kF1 + 9;
     if (!event.pressed || event.repeated || (!letter && !first)) {

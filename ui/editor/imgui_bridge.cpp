@@ -1,6 +1,7 @@
 #include "ui/editor/imgui_bridge.hpp"
 
 #include "ui/platform/platform.hpp"
+#include "ui/style/imgui_versions.hpp"
 
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
@@ -25,31 +26,6 @@ void writeClipboard(void *user, const char *text) {
     static_cast<Platform *>(user)->setClipboard(text);
 }
 
-void mapKeys(ImGuiIO &io) {
-    io.KeyMap[ImGuiKey_Tab] = key::kTab;
-    io.KeyMap[ImGuiKey_LeftArrow] = key::kLeft;
-    io.KeyMap[ImGuiKey_RightArrow] = key::kRight;
-    io.KeyMap[ImGuiKey_UpArrow] = key::kUp;
-    io.KeyMap[ImGuiKey_DownArrow] = key::kDown;
-    io.KeyMap[ImGuiKey_PageUp] = key::kPageUp;
-    io.KeyMap[ImGuiKey_PageDown] = key::kPageDown;
-    io.KeyMap[ImGuiKey_Home] = key::kHome;
-    io.KeyMap[ImGuiKey_End] = key::kEnd;
-    io.KeyMap[ImGuiKey_Insert] = key::kInsert;
-    io.KeyMap[ImGuiKey_Delete] = key::kDelete;
-    io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
-    io.KeyMap[ImGuiKey_Space] = key::kSpace;
-    io.KeyMap[ImGuiKey_Enter] = key::kEnter;
-    io.KeyMap[ImGuiKey_Escape] = key::kEscape;
-    io.KeyMap[ImGuiKey_KeyPadEnter] = key::kKeypadEnter;
-    io.KeyMap[ImGuiKey_A] = 'A';
-    io.KeyMap[ImGuiKey_C] = 'C';
-    io.KeyMap[ImGuiKey_V] = 'V';
-    io.KeyMap[ImGuiKey_X] = 'X';
-    io.KeyMap[ImGuiKey_Y] = 'Y';
-    io.KeyMap[ImGuiKey_Z] = 'Z';
-}
-
 /// Returns true while a menu or a list is open, not only dialogs.
 bool menuIsOpen() {
     const ImVector<ImGuiPopupData> &open = ImGui::GetCurrentContext()->OpenPopupStack;
@@ -61,8 +37,8 @@ void feedMenu(ImGuiIO &io) {
     const bool open = menuIsOpen();
     io.ConfigFlags = open ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
                           : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
-    if (open && (io.KeysDown[key::kEnter] || io.KeysDown[key::kKeypadEnter])) {
-        io.NavInputs[ImGuiNavInput_Activate] = 1.0F;
+    if (open) {
+        imgui::feedEnterToMenu();
     }
 }
 
@@ -80,7 +56,7 @@ ImGuiBridge::ImGuiBridge(Platform &platform) : platform_(platform), context_(ImG
     io.SetClipboardTextFn = writeClipboard;
     io.ClipboardUserData = &platform_;
     io.KeyRepeatDelay = 1e30F; // only the keyboard repeats keys: a slow frame must not count as a key held down
-    mapKeys(io);
+    imgui::mapKeys();
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -95,8 +71,7 @@ void ImGuiBridge::activate() {
 }
 
 void ImGuiBridge::fontsChanged() {
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    imgui::uploadFonts();
 }
 
 void ImGuiBridge::feed(const InputEvent &event) {
@@ -115,15 +90,7 @@ void ImGuiBridge::feed(const InputEvent &event) {
         io.MouseWheel += static_cast<float>(event.y);
         break;
     case InputKind::Key:
-        if (event.code >= 0 && event.code < IM_ARRAYSIZE(io.KeysDown)) {
-            io.KeysDown[event.code] = event.pressed;
-            if (event.pressed && event.repeated) {
-                io.KeysDownDuration[event.code] = -1.0F; // pressed anew
-            }
-        }
-        io.KeyCtrl = io.KeysDown[key::kLeftControl] || io.KeysDown[key::kRightControl];
-        io.KeyShift = io.KeysDown[key::kLeftShift] || io.KeysDown[key::kRightShift];
-        io.KeyAlt = io.KeysDown[key::kLeftAlt] || io.KeysDown[key::kRightAlt];
+        imgui::feedKey(event.code, event.pressed, event.repeated);
         break;
     case InputKind::Text:
         if (event.code > 0) {
@@ -133,8 +100,7 @@ void ImGuiBridge::feed(const InputEvent &event) {
     case InputKind::Focus:
         io.AddFocusEvent(event.pressed);
         if (!event.pressed) {
-            std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
-            io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
+            imgui::releaseKeys();
         }
         break;
     case InputKind::Drop:

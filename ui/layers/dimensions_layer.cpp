@@ -3,6 +3,7 @@
 #include "core/drawing/shapes/references.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -160,8 +161,8 @@ class DimensionsLayer final : public Layer {
 
     /// Returns the size of a text in design pixels.
     static Pixel sizeOf(const std::string &text, const LayerFrame &frame) {
-        const ImFont &font = *frame.fonts.small;
-        const ImVec2 size = font.CalcTextSizeA(font.FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
+        ImFont &font = *frame.fonts.small;
+        const ImVec2 size = font.CalcTextSizeA(imgui::lineOf(font), 1e9F, 0.0F, text.data(), text.data() + text.size());
         return Pixel(size.x, size.y) / frame.scale;
     }
 

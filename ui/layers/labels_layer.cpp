@@ -1,6 +1,7 @@
 #include "core/drawing/shapes/tag_runs.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
+#include "ui/style/imgui_versions.hpp"
 
 #include <imgui.h>
 
@@ -121,8 +122,8 @@ class LabelsLayer final : public Layer {
             return false;
         }
         const std::string &name = named->second;
-        const ImFont &font = *frame.fonts.small;
-        const ImVec2 size = font.CalcTextSizeA(font.FontSize, 1e9F, 0.0F, name.data(), name.data() + name.size());
+        ImFont &font = *frame.fonts.small;
+        const ImVec2 size = font.CalcTextSizeA(imgui::lineOf(font), 1e9F, 0.0F, name.data(), name.data() + name.size());
         const Pixel half = 0.5 / frame.scale * Pixel(size.x, size.y);
         const Pixel side{run.along.y, run.along.x}; // across the run, on the screen
         constexpr double kGap = 12.0;

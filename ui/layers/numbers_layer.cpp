@@ -2,6 +2,7 @@
 #include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
+#include "ui/style/imgui_versions.hpp"
 
 #include <imgui.h>
 
@@ -85,8 +86,8 @@ class NumbersLayer final : public Layer {
                 continue;
             }
             const std::string number = std::to_string(k);
-            const ImFont &font = *frame.fonts.small;
-            const ImVec2 size = font.CalcTextSizeA(font.FontSize, 1e9F, 0.0F, number.c_str());
+            ImFont &font = *frame.fonts.small;
+            const ImVec2 size = font.CalcTextSizeA(imgui::lineOf(font), 1e9F, 0.0F, number.c_str());
             const Pixel half = 0.5 / frame.scale * Pixel(size.x, size.y);
             painter.freeLabel(cell.centre(), Pixel{-half.x, -half.y}, number, frame.theme.muted, Colour(),
                               frame.fonts.small);

@@ -9,6 +9,7 @@
 #include "ui/canvas/legend.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/style/icons.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -279,7 +280,7 @@ bool SketchLayer::drawLegend(CanvasPainter &painter, const LayerFrame &frame, Pi
     const std::string title = !state->violated.empty() ? "Sketch: constraints that do not hold"
                               : state->degrees == 0    ? "Sketch: fully determined"
                                                     : "Sketch: " + countText(state->degrees, "degree") + " of freedom";
-    list.AddText(font, font->FontSize, at(left + 12.0 * s, top + 6.0 * s), frame.theme.muted, title.c_str());
+    list.AddText(font, imgui::lineOf(*font), at(left + 12.0 * s, top + 6.0 * s), frame.theme.muted, title.c_str());
     const std::array<std::pair<Colour, const char *>, 3> entries{
         {{frame.theme.boundary, "free"}, {frame.theme.determined, "determined"}, {frame.theme.bad, "conflict"}}};
     double x = left + 12.0 * s;
@@ -291,8 +292,8 @@ bool SketchLayer::drawLegend(CanvasPainter &painter, const LayerFrame &frame, Pi
             list.AddLine(at(x + from * s, y), at(x + end * s, y), colour, static_cast<float>(2.5 * s));
         }
         x += 16.0 * s;
-        list.AddText(font, font->FontSize, at(x, y - 8.0 * s), frame.theme.text, text);
-        x += static_cast<double>(font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, text).x) + 10.0 * s;
+        list.AddText(font, imgui::lineOf(*font), at(x, y - 8.0 * s), frame.theme.text, text);
+        x += static_cast<double>(font->CalcTextSizeA(imgui::lineOf(*font), 1e9F, 0.0F, text).x) + 10.0 * s;
     }
     return true;
 }

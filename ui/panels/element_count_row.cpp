@@ -6,6 +6,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/number_field.hpp"
@@ -125,7 +126,7 @@ void drawMeshed(Shell &context, SegmentRef segment, double count) {
 void drawMeshedRow(Shell &context, SegmentRef segment, double count) {
     const float top = ImGui::GetCursorPosY();
     drawMeshed(context, segment, count);
-    const float line = context.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y;
+    const float line = imgui::lineOf(*context.fonts.small) + ImGui::GetStyle().ItemSpacing.y;
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + line));
 }
 

@@ -1,5 +1,6 @@
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/picture_view.hpp"
 
@@ -62,8 +63,8 @@ class HistoryPanel final : public Panel {
                               : here                     ? context.theme.text
                                                          : context.theme.muted;
         ImFont *const font = context.fonts.small;
-        list.AddText(font, font->FontSize, {at.x + context.px(8), at.y + (height - font->FontSize) / 2}, colour,
-                     history.label(entry).data(), history.label(entry).data() + history.label(entry).size());
+        list.AddText(font, imgui::lineOf(*font), {at.x + context.px(8), at.y + (height - imgui::lineOf(*font)) / 2},
+                     colour, history.label(entry).data(), history.label(entry).data() + history.label(entry).size());
         return pressed;
     }
 

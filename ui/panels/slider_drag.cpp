@@ -1,6 +1,7 @@
 #include "ui/panels/slider_drag.hpp"
 
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 
 #include <imgui.h>
 
@@ -8,7 +9,7 @@ namespace forefront {
 
 bool SliderDrag::begin(Shell &context) {
     const bool released = !ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (dragged_ && !released && ImGui::IsKeyPressed(key::kEscape, false)) {
+    if (dragged_ && !released && imgui::keyPressed(key::kEscape, false)) {
         context.document.abandonStroke(stroke_);
         cancelled_ = true;
     }

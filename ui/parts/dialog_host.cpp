@@ -1,5 +1,6 @@
 #include "ui/parts/preview_dialog.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -112,7 +113,7 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
         // Esc first restores the value of a field whose text was changed.
         const std::optional<FieldFocus::Entry> &typing = context.widgets.fields.entry;
         const bool restores = typing && typing->text != typing->initial;
-        const bool escape = isTop && !restores && dialog.closesOnEscape() && ImGui::IsKeyPressed(key::kEscape, false) &&
+        const bool escape = isTop && !restores && dialog.closesOnEscape() && imgui::keyPressed(key::kEscape, false) &&
                             !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
         ui::startTabbing(context);
         const bool dismissed = std::find(dismissed_.begin(), dismissed_.end(), &dialog) != dismissed_.end();

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/letter_case.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -85,8 +86,8 @@ class Palette final : public Dialog {
 
     void move(int count) {
         const int before = chosen_;
-        chosen_ += ImGui::IsKeyPressed(key::kDown) ? 1 : 0;
-        chosen_ -= ImGui::IsKeyPressed(key::kUp) ? 1 : 0;
+        chosen_ += imgui::keyPressed(key::kDown) ? 1 : 0;
+        chosen_ -= imgui::keyPressed(key::kUp) ? 1 : 0;
         chosen_ = std::clamp(chosen_, 0, std::max(0, count - 1));
         moved_ = chosen_ != before;
     }

@@ -2,6 +2,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/fault_text.hpp"
 #include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/popup_style.hpp"
@@ -75,7 +76,7 @@ void drawDimensionEntry(Shell &context, const SketchConstraint &constraint) {
         ui::faultText(context, entry.fault);
         ui::mark(context, "dimension/fault");
     }
-    if (ImGui::IsKeyPressed(key::kEscape, false)) {
+    if (imgui::keyPressed(key::kEscape, false)) {
         entry.close();
     } else if (entered) {
         finishDimension(context);

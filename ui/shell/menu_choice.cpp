@@ -1,6 +1,7 @@
 #include "ui/shell/menu_choice.hpp"
 
 #include "ui/parts/shell.hpp"
+#include "ui/style/imgui_versions.hpp"
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -10,10 +11,7 @@ namespace {
 
 /// Highlights an item as the arrow keys do; Enter runs it.
 void choose(ImGuiID id, const ImRect &relative) {
-    ImGuiContext &imgui = *ImGui::GetCurrentContext();
-    ImGui::SetNavID(id, ImGuiNavLayer_Main, imgui.CurrentWindow->DC.NavFocusScopeIdCurrent, relative);
-    imgui.NavDisableHighlight = false;
-    imgui.NavDisableMouseHover = true;
+    imgui::highlightItem(id, relative.Min, relative.Max);
     ImGui::SetScrollHereY();
 }
 
@@ -25,12 +23,12 @@ char capital(char letter) {
 
 void noteMenuItem(Shell &context, std::string_view title, bool enabled, bool opensSubmenu) {
     MenuKeys &keys = context.menuKeys;
-    const ImGuiContext &imgui = *ImGui::GetCurrentContext();
+    const ImGuiContext &gui = *ImGui::GetCurrentContext();
     const ImGuiID id = ImGui::GetItemID();
-    const ImGuiWindow &window = *imgui.CurrentWindow;
+    const ImGuiWindow &window = *gui.CurrentWindow;
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     const ImRect relative{{min.x - window.Pos.x, min.y - window.Pos.y}, {max.x - window.Pos.x, max.y - window.Pos.y}};
-    const bool chosen = imgui.NavId == id && imgui.NavWindow == &window && !imgui.NavDisableHighlight;
+    const bool chosen = gui.NavId == id && gui.NavWindow == &window && imgui::anyHighlight();
     keys.onSubmenu = chosen ? opensSubmenu : keys.onSubmenu;
     if (!enabled) {
         return;
@@ -40,7 +38,7 @@ void noteMenuItem(Shell &context, std::string_view title, bool enabled, bool ope
         choose(id, relative);
         return;
     }
-    if (keys.letter == 0 || imgui.NavWindow != &window) {
+    if (keys.letter == 0 || gui.NavWindow != &window) {
         return;
     }
     const bool begins = !title.empty() && capital(title.front()) == keys.letter;

@@ -1,4 +1,5 @@
 #include "ui/shell/main_window.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/fault_text.hpp"
 #include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -106,9 +107,9 @@ void drawEntry(Shell &context, const Document &document) {
     }
     const std::vector<std::string> names = offeredNames(naming, document);
     const int count = static_cast<int>(names.size());
-    const int step = (ImGui::IsKeyPressed(key::kDown) ? 1 : 0) - (ImGui::IsKeyPressed(key::kUp) ? 1 : 0);
+    const int step = (imgui::keyPressed(key::kDown) ? 1 : 0) - (imgui::keyPressed(key::kUp) ? 1 : 0);
     naming.choice = std::clamp(naming.choice + step, -1, count - 1);
-    if (ImGui::IsKeyPressed(key::kEscape, false)) {
+    if (imgui::keyPressed(key::kEscape, false)) {
         naming.close();
     } else if (entered) {
         finish(context, naming.choice >= 0 ? names[static_cast<std::size_t>(naming.choice)] : naming.text);

@@ -4,6 +4,7 @@
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/style/icons.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/shortened.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/view/step_text.hpp"
@@ -93,7 +94,7 @@ void drawPresentedSteps(Shell &context, const PixelRect &rect) {
     const bool leave =
         ui::iconButton(context, "presentation/leave", icon::kCross, "Leave the presentation (Esc)", false, true, 22.0F);
     const bool idle = !context.run.busy() && !context.adaptation.busy() && !context.task.busy(); // else Esc cancels
-    const bool escapes = idle && !context.dialogs.any() && ImGui::IsKeyPressed(key::kEscape, false);
+    const bool escapes = idle && !context.dialogs.any() && imgui::keyPressed(key::kEscape, false);
     const SessionSnapshot &run = context.run.now();
     const Moment moment = momentOf(run);
     const std::optional<Step> live = liveStep(run, moment);

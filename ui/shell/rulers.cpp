@@ -1,6 +1,7 @@
 #include "ui/canvas/line_density.hpp"
 #include "ui/canvas/ruler_scale.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -160,7 +161,7 @@ void followRulerDrag(Shell &context) {
     if (!context.rulerDrag.active()) {
         return;
     }
-    if (ImGui::IsKeyPressed(key::kEscape, false)) {
+    if (imgui::keyPressed(key::kEscape, false)) {
         context.rulerDrag.cancel(context);
         return;
     }

@@ -1,6 +1,7 @@
 #include "ui/dialogs/preferences_dialog.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/tool_slots.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -50,12 +51,13 @@ void drawToolButton(const Shell &context, const Tool &tool, bool active, bool fl
         list.AddRectFilled(at, end, active ? theme.selectedRow : theme.hovered, context.px(4));
     }
     ImFont *const font = context.fonts.icons;
-    const float icon = font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, tool.icon()).x;
-    const ImVec2 place{std::round(at.x + 0.5F * (side - icon)), std::round(at.y + 0.5F * (side - font->FontSize))};
-    list.AddText(font, font->FontSize, place, theme.text, tool.icon());
+    const float icon = font->CalcTextSizeA(imgui::lineOf(*font), 1e9F, 0.0F, tool.icon()).x;
+    const ImVec2 place{std::round(at.x + 0.5F * (side - icon)),
+                       std::round(at.y + 0.5F * (side - imgui::lineOf(*font)))};
+    list.AddText(font, imgui::lineOf(*font), place, theme.text, tool.icon());
     const std::string nodes = nodesOf(tool.icon());
-    if (active && font->FindGlyphNoFallback(static_cast<ImWchar>(codeOf(nodes.c_str()))) != nullptr) {
-        list.AddText(font, font->FontSize, place, theme.accent, nodes.c_str()); // not every icon has squares
+    if (active && imgui::holds(*font, static_cast<unsigned>(codeOf(nodes.c_str())))) {
+        list.AddText(font, imgui::lineOf(*font), place, theme.accent, nodes.c_str()); // not every icon has squares
     }
     if (flyout) {
         const float corner = context.px(5), edge = context.px(2);

@@ -2,9 +2,9 @@
 
 #include "ui/style/icon_raster.hpp"
 #include "ui/style/icons.hpp"
+#include "ui/style/imgui_versions.hpp"
 
 #include <imgui.h>
-#include <imgui_freetype.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,20 +56,16 @@ class AtlasBuilder {
 
     /// Builds the atlas and draws the icons into it.
     void build() {
-        atlas().Build();
+        imgui::build(atlas());
         std::map<std::pair<std::size_t, int>, std::vector<std::uint8_t>> drawn; // by glyph and size
         for (const PlacedIcon &icon : icons_) {
-            const ImFontAtlasCustomRect &rect = *atlas().GetCustomRectByIndex(icon.rect);
-            const int size = rect.Width;
+            const int size = icon.size;
             std::vector<std::uint8_t> &cover = drawn[{icon.glyph, size}];
             if (cover.empty()) {
                 cover = drawIcon(iconShapes()[icon.glyph / 2], icon.glyph % 2 == 0 ? IconPart::Whole : IconPart::Nodes,
                                  size);
             }
-            for (int row = 0; row < size; ++row) {
-                std::copy_n(cover.begin() + static_cast<std::ptrdiff_t>(row) * size, size,
-                            atlas().TexPixelsAlpha8 + (rect.Y + row) * atlas().TexWidth + rect.X);
-            }
+            imgui::drawInto(atlas(), icon.place, cover);
         }
     }
 
@@ -77,7 +73,8 @@ class AtlasBuilder {
     /// A part of an icon in the atlas; `glyph`: twice the index of its shape, one more for its nodes.
     struct PlacedIcon {
         std::size_t glyph;
-        int rect;
+        int place; ///< its number in the atlas
+        int size;  ///< in pixels
     };
 
     static ImFontAtlas &atlas() { return *ImGui::GetIO().Fonts; }
@@ -90,10 +87,8 @@ class AtlasBuilder {
             const bool nodes = *iconShapes()[k].nodes != '\0';
             for (std::size_t part = 0; part < (nodes ? 2U : 1U); ++part) {
                 const char *const text = iconShapes()[k].text;
-                const auto letter = static_cast<ImWchar>(codeOf(text) + (part == 0 ? 0 : kNodesOfIcon));
-                const int rect = atlas().AddCustomRectFontGlyph(&font, letter, size, size, static_cast<float>(size),
-                                                                ImVec2(0.0F, top));
-                icons_.push_back({2 * k + part, rect});
+                const auto letter = static_cast<unsigned>(codeOf(text) + (part == 0 ? 0 : kNodesOfIcon));
+                icons_.push_back({2 * k + part, imgui::reserveGlyph(atlas(), font, line, letter, size, top), size});
             }
         }
     }
@@ -115,35 +110,12 @@ class AtlasBuilder {
     std::vector<PlacedIcon> icons_;
 };
 
-/// Gives all digits the width of the widest and centres them in it. FreeType within Dear ImGui does not apply the
-/// OpenType feature "tnum" that would do the same.
-void makeDigitsTabular(ImFont &font) {
-    float widest = 0.0F;
-    for (ImWchar digit = '0'; digit <= '9'; ++digit) {
-        widest = std::max(widest, font.GetCharAdvance(digit));
-    }
-    for (ImWchar digit = '0'; digit <= '9'; ++digit) {
-        const ImFontGlyph *const found = font.FindGlyphNoFallback(digit);
-        if (found == nullptr) {
-            continue;
-        }
-        ImFontGlyph &glyph = font.Glyphs[static_cast<int>(found - font.Glyphs.Data)];
-        const float shift = std::round(0.5F * (widest - glyph.AdvanceX)); // whole pixels keep the digit sharp
-        glyph.X0 += shift;
-        glyph.X1 += shift;
-        glyph.AdvanceX = widest;
-        font.IndexAdvanceX[digit] = widest;
-    }
-}
-
 } // namespace
 
 Fonts loadFonts(float scale, std::string &warning) {
     ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
-    atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
-    atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
-    atlas.TexGlyphPadding = 1;
+    imgui::useFreeType(atlas);
     AtlasBuilder builder(scale, warning);
     Fonts fonts;
     fonts.body = builder.text("opentype/inter/Inter-Regular.otf", 13.0F, kSmallIcon);
@@ -156,7 +128,8 @@ Fonts loadFonts(float scale, std::string &warning) {
     ImGui::GetIO().FontDefault = fonts.body;
     builder.build();
     for (ImFont *font : atlas.Fonts) {
-        makeDigitsTabular(*font);
+        // FreeType within Dear ImGui does not apply the OpenType feature "tnum" that would do the same.
+        imgui::makeTabular(*font, '0', '9');
     }
     return fonts;
 }

@@ -1,5 +1,7 @@
 #include "ui/widgets/shortened.hpp"
 
+#include "ui/style/imgui_versions.hpp"
+
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -16,8 +18,7 @@ void shortened(const WidgetContext &context, Pixel at, float right, std::string_
         return; // not even an ellipsis
     }
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), corner, {right, corner.y + size.y}, right, right, begin, end,
-                              &size);
+    imgui::textUpTo(corner, right, begin, end, size);
     ImGui::PopStyleColor();
 }
 

@@ -1,3 +1,4 @@
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/field_frame.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -15,35 +16,6 @@ namespace {
 /// For ImGui::IsWindowFocused().
 constexpr int kWindowWithoutPopups = ImGuiFocusedFlags_ChildWindows | ImGuiFocusedFlags_NoPopupHierarchy;
 
-/// Makes Ctrl+Shift+Z redo in text fields: Dear ImGui 1.86 knows only Ctrl+Y, so Z is shown to it as Y while the keys
-/// are held.
-class RedoByShiftZ {
-  public:
-    RedoByShiftZ()
-        : io_(ImGui::GetIO()), swapped_(io_.KeyCtrl && io_.KeyShift && io_.KeysDown[io_.KeyMap[ImGuiKey_Z]]) {
-        if (swapped_) {
-            swap();
-            io_.KeyShift = false;
-            io_.KeyMods &= ~ImGuiKeyModFlags_Shift;
-        }
-    }
-    ~RedoByShiftZ() {
-        if (swapped_) {
-            swap();
-            io_.KeyShift = true;
-            io_.KeyMods |= ImGuiKeyModFlags_Shift;
-        }
-    }
-    RedoByShiftZ(const RedoByShiftZ &) = delete;
-    RedoByShiftZ &operator=(const RedoByShiftZ &) = delete;
-
-  private:
-    void swap() { std::swap(io_.KeyMap[ImGuiKey_Z], io_.KeyMap[ImGuiKey_Y]); }
-
-    ImGuiIO &io_;
-    bool swapped_;
-};
-
 /// Notes that the field just drawn was clicked with the right button, and which part of its text is selected.
 void noteRightClick(FieldFocus &fields, std::string_view name, const std::string &text, ImGuiID id) {
     if (!ImGui::IsItemHovered() || !ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
@@ -52,10 +24,9 @@ void noteRightClick(FieldFocus &fields, std::string_view name, const std::string
     std::size_t begin = 0, end = text.size();
     const ImGuiInputTextState *const state = ImGui::GetActiveID() == id ? ImGui::GetInputTextState(id) : nullptr;
     if (state != nullptr && state->HasSelection()) {
-        const auto [low, high] = std::minmax(state->Stb.select_start, state->Stb.select_end);
-        const ImWchar *const letters = state->TextW.Data; // the selection counts letters, the text has bytes
-        begin = std::min(end, static_cast<std::size_t>(ImTextCountUtf8BytesFromStr(letters, letters + low)));
-        end = std::min(end, static_cast<std::size_t>(ImTextCountUtf8BytesFromStr(letters, letters + high)));
+        const auto [low, high] = imgui::selectedBytes(*state);
+        begin = std::min(end, low);
+        end = std::min(end, high);
     }
     fields.clicked = {std::string(name), text, {}, begin, end};
 }
@@ -91,7 +62,7 @@ bool takeBack(ImGuiID id) {
 }
 
 bool tabPressed() {
-    return ImGui::IsKeyPressed(key::kTab) && !ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyAlt;
+    return imgui::keyPressed(key::kTab) && !ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyAlt;
 }
 
 /// Draws a text field and adds it to the order in which Tab visits fields.
@@ -122,7 +93,7 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
     }
     Drawn drawn{.held = ImGui::GetActiveID() == id};
     {
-        const RedoByShiftZ redo;
+        const imgui::RedoByShiftZ redo;
         const FieldFrame frame(context);
         drawn.returned = ImGui::InputTextWithHint("##text", std::string(hint).c_str(), &value, flags);
     }
@@ -154,7 +125,7 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
     }
     const bool again = fields.leaving() == FieldFocus::Leave::Click && refused != nullptr && fields.entry &&
                        fields.entry->text == refused->entry.text;
-    drawn.abandoned = drawn.held && !drawn.holds && (again || ImGui::IsKeyPressed(key::kEscape, false));
+    drawn.abandoned = drawn.held && !drawn.holds && (again || imgui::keyPressed(key::kEscape, false));
     return drawn;
 }
 
@@ -266,7 +237,7 @@ bool takesFocus(WidgetContext &context, std::string_view name) {
 }
 
 bool enterPressed() {
-    const bool pressed = ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
+    const bool pressed = imgui::keyPressed(key::kEnter, false) || imgui::keyPressed(key::kKeypadEnter, false);
     return pressed && ImGui::IsWindowFocused(kWindowWithoutPopups);
 }
 

@@ -1,5 +1,6 @@
 #include "ui/widgets/widgets.hpp"
 
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/field_frame.hpp"
 #include "ui/widgets/text_wrap.hpp"
 
@@ -164,7 +165,7 @@ bool checkbox(WidgetContext &context, std::string_view name, std::string_view la
     const bool hovered = ImGui::IsItemHovered();
     mark(context, name);
     const bool focused = takesFocus(context, name);
-    const bool pressed = clicked || (focused && ImGui::IsKeyPressed(key::kSpace, false));
+    const bool pressed = clicked || (focused && imgui::keyPressed(key::kSpace, false));
     if (pressed) {
         value = !value;
     }

@@ -1,4 +1,4 @@
-"""Areas by region, as ANUGA sets them: nested regions of greatest areas 1000, 100, 36 and 8, angles above 30 degrees."""
+"""Areas by region, as ANUGA sets them: nested regions of maximum areas 1000, 100, 36 and 8, angles of at least 30 degrees."""
 import numpy as np
 
 import forefront.compat.triangle as triangle
@@ -21,7 +21,12 @@ area = 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
 for x, y, number, limit in graph["regions"]:
     largest = area[result["triangle_attributes"].ravel() == number].max()
     print(f"region {number}: every area is at most {limit}: {bool(largest <= limit)}")
+sides = [np.hypot(*(corner[:, k] - corner[:, k - 1]).T) for k in range(3)]
+cosines = [(sides[k - 1]**2 + sides[k - 2]**2 - sides[k]**2) / (2*sides[k - 1]*sides[k - 2]) for k in range(3)]
+least = np.degrees(np.arccos(np.max(cosines)))
+print(f"every angle is at least 30 degrees: {bool(least >= 30)}")
 #-> region 1: every area is at most 1000: True
 #-> region 2: every area is at most 100: True
 #-> region 3: every area is at most 36: True
 #-> region 4: every area is at most 8: True
+#-> every angle is at least 30 degrees: True

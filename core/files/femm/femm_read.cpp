@@ -2,6 +2,7 @@
 #include "core/files/common/names.hpp"
 #include "core/files/common/tag_allocator.hpp"
 #include "core/files/femm/femm.hpp"
+#include "core/files/femm/femm_parts.hpp"
 #include "core/files/text/text_scanner.hpp"
 
 #include <algorithm>
@@ -16,15 +17,25 @@ namespace forefront {
 
 namespace {
 
-constexpr double kFemmFineness = 2000.0;   ///< sizes of the drawing in the tolerance of chords
-constexpr double kFemmArcFineness = 50.0;  ///< the same for the size of one arc
-constexpr std::int64_t kMaxFemm = 1 << 30; ///< counts and indices
+constexpr double kFemmFineness = 2000.0;      ///< sizes of the drawing in the tolerance of chords
+constexpr double kFemmArcFineness = 50.0;     ///< the same for the size of one arc
+constexpr std::int64_t kMaxFemm = 1 << 30;    ///< counts and indices
+constexpr std::int64_t kFemmDefaultLabel = 2; ///< flag of a block label
 
 /// A segment or, with an angle, an arc, counter-clockwise from its first node to its second.
 struct FemmSide {
     std::uint32_t a = 0, b = 0;
     double degrees = 0.0;
     std::int32_t tag = 1;
+    std::size_t offset = 0;
+};
+
+/// A label that names the material of the face around it.
+struct FemmLabel {
+    Vec2 at;
+    std::string material;
+    double diameter = 0.0;  ///< of a circle of the maximum area of an element; 0 or less: none is given
+    bool isDefault = false; ///< the material holds for faces without a label too
     std::size_t offset = 0;
 };
 
@@ -48,6 +59,11 @@ class FemmReader {
         if (domain_.segments.empty()) {
             return Diagnostics{faultAt(source_, 0, "empty-domain", "the problem has no segments and arcs")};
         }
+        addLabels();
+        settleFemmParts(source_, domain_, origin_, boundaries_.of({}));
+        if (source_.origin != nullptr) {
+            *source_.origin = std::move(origin_);
+        }
         domain_.boundaryNames = boundaries_.names();
         domain_.regionNames = regions_.names();
         domain_.curveTolerance = source_.options.curveTolerance;
@@ -59,6 +75,9 @@ class FemmReader {
         const std::string_view text = line.rest();
         const std::string key = lowerCase(text.substr(0, text.find(']')));
         const std::size_t value = text.find('=');
+        if (key == "[pointprops") {
+            return names("<pointname>", "<endpoint>", pointProperties_, text, line.offset());
+        }
         if (key == "[bdryprops") {
             return names("<bdryname>", "<endbdry>", conditions_, text, line.offset());
         }
@@ -150,9 +169,22 @@ class FemmReader {
 
     bool node(TextScanner &line, std::size_t number) {
         const std::size_t offset = line.offset();
+        const Expect expect{"node", number};
         Vec2 at;
-        if (!line.real(at.x, {"x of node", number}) || !line.real(at.y, {"y of node", number})) {
+        std::int64_t property = 0;
+        if (!line.real(at.x, {"x of node", number}) || !line.real(at.y, {"y of node", number}) ||
+            (!line.atEnd() && !line.integer(property, 0, kMaxFemm, expect))) {
             return false;
+        }
+        const auto place = static_cast<std::size_t>(property);
+        if (place > pointProperties_.size()) {
+            return line.fail(offset, "bad-index",
+                             expect.words() + " refers to point property " + std::to_string(property) +
+                                 ", which does not exist");
+        }
+        if (place > 0) {
+            domain_.points.push_back(
+                {static_cast<std::uint32_t>(domain_.nodes.size()), boundaries_.of(pointProperties_[place - 1])});
         }
         domain_.nodes.push_back(at);
         record(DomainPartKind::Node, offset);
@@ -257,13 +289,37 @@ class FemmReader {
                              expect.words() + " refers to material " + std::to_string(material) +
                                  ", which does not exist");
         }
-        domain_.regionMarkers.push_back({at, regions_.of(place == 0 ? std::string() : materials_[place - 1])});
-        record(DomainPartKind::RegionMarker, offset);
-        if (diameter > 0.0) {
-            const double area = 0.25 * std::numbers::pi * diameter * diameter;
-            file_.spacing.placed.regions.push_back({.at = at, .maxArea = area});
-        }
+        labels_.push_back({.at = at,
+                           .material = place == 0 ? std::string() : materials_[place - 1],
+                           .diameter = diameter,
+                           .isDefault = isDefault(line),
+                           .offset = offset});
         return true;
+    }
+
+    /// Returns true if a block label, whose first four numbers are read, also holds for faces without a label. Its
+    /// flags are the last of nine numbers, or of six where the problem is not magnetic.
+    static bool isDefault(TextScanner &line) {
+        constexpr std::size_t kShort = 2, kLong = 5; // numbers left
+        std::vector<double> left;
+        for (double value = 0.0; left.size() < kLong && !line.atEnd() && line.real(value, {"block label"});) {
+            left.push_back(value);
+        }
+        return (left.size() == kShort || left.size() == kLong) && left.back() >= 0.0 && left.back() < kMaxFemm &&
+               (static_cast<std::int64_t>(left.back()) & kFemmDefaultLabel) != 0;
+    }
+
+    void addLabels() {
+        // Faces without a marker have the first tag.
+        std::stable_partition(labels_.begin(), labels_.end(), [](const FemmLabel &label) { return label.isDefault; });
+        for (const FemmLabel &label : labels_) {
+            domain_.regionMarkers.push_back({label.at, regions_.of(label.material)});
+            record(DomainPartKind::RegionMarker, label.offset);
+            if (label.diameter > 0.0) {
+                const double area = 0.25 * std::numbers::pi * label.diameter * label.diameter;
+                file_.spacing.placed.regions.push_back({.at = label.at, .maxArea = area});
+            }
+        }
     }
 
     void addSides() {
@@ -306,16 +362,14 @@ class FemmReader {
         record(DomainPartKind::Segment, side.offset);
     }
 
-    void record(DomainPartKind kind, std::size_t offset) {
-        if (source_.origin != nullptr) {
-            source_.origin->of(kind).push_back({offset, {}});
-        }
-    }
+    void record(DomainPartKind kind, std::size_t offset) { origin_.of(kind).push_back({offset, {}}); }
 
     const SourceText &source_;
     TextScanner scanner_;
-    std::vector<std::string> conditions_, materials_; ///< names, by number from 1 on
+    std::vector<std::string> pointProperties_, conditions_, materials_; ///< names, by number from 1 on
     std::vector<FemmSide> sides_;
+    std::vector<FemmLabel> labels_;
+    DomainOrigin origin_;
     TagAllocator boundaries_, regions_;
     DomainFile file_;
     Domain &domain_ = file_.domain;
