@@ -1,6 +1,7 @@
 #include "app/batch/check_report.hpp"
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
+#include "app/batch/crack_option.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/option_notes.hpp"
@@ -68,6 +69,7 @@ struct CheckArguments {
     std::map<std::string, std::string> parameters; ///< of the projects; expressions by name, from --set
     DrawingArguments drawing;                      ///< of the domain
     bool repair = false;
+    std::vector<std::string> cracks; ///< of the domain
     std::optional<double> size;
     std::optional<std::string> expression;
     std::vector<std::string> rasters, presets; ///< of --raster and --size-preset, which sets `expression`
@@ -154,10 +156,13 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
         carryElements(domain, *repaired, file->spacing);
         domain = std::move(repaired->domain);
     }
+    if (Diagnostics unknown = applyCracks(arguments.cracks, domain, file->cracks); !unknown.empty()) {
+        return allFormats().locateFaults(input.path, unknown, input.options);
+    }
     const Repaired *const sources = repaired ? &*repaired : nullptr;
     const bool innerTags = acceptsInnerEdges(arguments.mesh) || hasInnerEdges(mesh);
     Diagnostics faults =
-        verifyAgainst(mesh, domain, file->spacing.placed.counts(), kMaxListedFaults, numbers, innerTags);
+        verifyAgainst(mesh, domain, file->spacing.placed.counts(), kMaxListedFaults, numbers, innerTags, file->cracks);
     if (!hasErrors(faults)) {
         Diagnostics parts;
         if (innerTags) {
@@ -321,6 +326,7 @@ int checkCommand(const CommandLine &line) {
                    "write the verdict and the figures as JSON, with the names that mesh --stats has for them; -: print "
                    "them instead of the summary")
         ->type_name("FILE.json");
+    addCrackOption(app, arguments.cracks);
     addConfigOption(app);
     if (const auto code = parseOptions(app, line)) {
         return *code;
@@ -337,6 +343,9 @@ int checkCommand(const CommandLine &line) {
     }
     if (!arguments.parameters.empty() && !arguments.domain && !arguments.savedLimits) {
         return wrongUsage(app.get_name(), "--set: only projects have parameters; add --domain or --limits");
+    }
+    if (!arguments.domain && !arguments.cracks.empty()) {
+        return wrongUsage(app.get_name(), "--crack: names a line of the domain; add --domain");
     }
     if (!arguments.domain && (arguments.repair || !arguments.drawing.firstGiven().empty())) {
         return wrongUsage(app.get_name(), (arguments.repair ? "--repair" : arguments.drawing.firstGiven()) +

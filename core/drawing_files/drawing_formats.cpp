@@ -60,7 +60,7 @@ Result<DomainFile> readProjectDomain(const SourceText &source) {
         return document.faults();
     }
     MeshingJob job = jobOf(*document);
-    return DomainFile{std::move(job.domain), std::move(job.spacing)};
+    return DomainFile{std::move(job.domain), std::move(job.spacing), std::move(job.cracks)};
 }
 
 /// Returns the description of a map that the component forefront-gdal reads.

@@ -105,6 +105,7 @@ Document fromDomain(const DomainFile &file) {
     Document document = fromDomain(file.domain);
     document.spacing = file.spacing;
     document.spacing.placed = {};
+    document.cracks = file.cracks;
     takeRegionSizes(file.spacing.placed.regions, document.regionMarkers);
     for (const NodeSize &node : file.spacing.placed.nodes) {
         for (std::shared_ptr<const Shape> &shape : document.shapes) {

@@ -22,7 +22,7 @@ struct LayerCell {
     std::uint32_t region = 0; ///< index into DiscreteDomain::regions
 };
 
-/// Boundary layers and what they leave to the front.
+/// Boundary layers, or the rows of mapped faces, and what they leave to the front.
 ///
 /// The nodes of the layers are numbered from the nodes of `outer` on: first those of `outer`, then `inner`.
 struct BoundaryLayers {

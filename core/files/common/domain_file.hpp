@@ -4,6 +4,9 @@
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
+#include <cstdint>
+#include <vector>
+
 namespace FOREFRONT_API forefront {
 
 /// A domain read from a file: its geometry, and the element sizes that come with it, such as the maximum areas of the
@@ -11,6 +14,7 @@ namespace FOREFRONT_API forefront {
 struct DomainFile {
     Domain domain;
     SpacingSpec spacing;
+    std::vector<std::int32_t> cracks{}; ///< tags of inner lines that are cracks; see MeshingJob::cracks
 };
 
 } // namespace forefront
