@@ -13,8 +13,10 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/hash.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/mesh_domain.hpp"
 #include "core/engine/mesh/orientation.hpp"
+#include "core/engine/mesh/periodic_pairs.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/build_spacing.hpp"
@@ -287,6 +289,13 @@ int check(CheckArguments &arguments) {
         }
     } else {
         faults = verify(*mesh, kMaxListedFaults, notes.numbers());
+    }
+    for (const PeriodicLink &link : mesh->periodic) {
+        const auto name = [&](std::int32_t tag) { return boundaryName(mesh->boundaryNames, tag); };
+        faults.push_back(noteOf("periodic", "periodic: " + name(link.to) + " is the image of " + name(link.from) +
+                                                ", " + countText(periodicPairs(*mesh, link).pairs.size(), "pair") +
+                                                " of nodes")
+                             .front());
     }
     if (mesh->elementCount() == 0) {
         faults = error("empty-mesh", "the mesh has no elements");

@@ -64,6 +64,7 @@ Result<ReadJob> readJob(const Input &input, ImportNotes &notes) {
     const Box2 box = file->domain.bounds();
     MeshingJob job{std::move(file->domain), std::move(file->spacing), {}};
     job.cracks = std::move(file->cracks);
+    job.periodic = std::move(file->periodic);
     return ReadJob{std::move(job), box, {}, {}};
 }
 

@@ -101,6 +101,9 @@ Result<DomainFile> domainFrom(const Format &format, const SourceText &source) {
     }
     noteCracks(*mesh, *outline, lines, source);
     DomainFile file{std::move(*outline), {}};
+    for (const PeriodicLink &link : mesh->periodic) {
+        file.periodic.push_back({link.from, link.to});
+    }
     for (const OpenLine &line : lines) {
         file.cracks.push_back(line.tag);
     }

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/periodic.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <cstdint>
@@ -14,7 +15,8 @@ namespace FOREFRONT_API forefront {
 struct DomainFile {
     Domain domain;
     SpacingSpec spacing;
-    std::vector<std::int32_t> cracks{}; ///< tags of inner lines that are cracks; see MeshingJob::cracks
+    std::vector<std::int32_t> cracks{};   ///< tags of inner lines that are cracks; see MeshingJob::cracks
+    std::vector<PeriodicSpec> periodic{}; ///< parts that are divided alike; see MeshingJob::periodic
 };
 
 } // namespace forefront
