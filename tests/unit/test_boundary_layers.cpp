@@ -11,6 +11,9 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <stop_token>
+#include <string>
+#include <string_view>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -268,6 +271,29 @@ TEST_CASE("boundary layers: a wall inside the domain has them on both sides") {
     CHECK(outcome.layers.shortened.empty());
     CHECK(outcome.layers.triangles == 2 * 9);
     CHECK(outcome.layers.quadrilaterals == 8 * 20 + 2 * 9 * 7);
+}
+
+TEST_CASE("boundary layers: too many of them are refused before they are made, and building them can be cancelled") {
+    MeshingJob job = squareAround(ring(1.0, 200), 0.1);
+    job.layers = {layersOf(kWall, 1e-4, 1.0, 1000)};
+    job.options.maxElements = 50'000;
+    Result<MeshingOutcome> outcome = meshDomain(job);
+    REQUIRE_FALSE(outcome);
+    CHECK(outcome.faults().front().code == "too-many-elements");
+    CHECK(outcome.faults().front().message.find("boundary layers need about 2e+05") != std::string::npos);
+    job.layers = {layersOf(kWall, 1e-3, 1.2, 5)};
+    CHECK(meshDomain(job));
+    std::stop_source stop;
+    Progress progress;
+    progress.stop = stop.get_token();
+    progress.report = [&](std::string_view stage, double) {
+        if (stage == "building boundary layers") {
+            stop.request_stop();
+        }
+    };
+    outcome = meshDomain(job, progress);
+    REQUIRE_FALSE(outcome);
+    CHECK(outcome.faults().front().code == "cancelled");
 }
 
 TEST_CASE("checkLayers: invalid numbers, unknown and repeated parts are refused") {

@@ -64,12 +64,14 @@ class LayerRepair {
         tree_ = BoxTree(boxes);
     }
 
-    void run() {
-        while (unfold() || uncover() || separate()) {
+    /// Returns false when cancelled.
+    bool run(const Progress &progress) {
+        while (!progress.cancelled() && (unfold() || uncover() || separate())) {
             for (RayChain &chain : chains_) {
                 levelLayers(chain);
             }
         }
+        return !progress.cancelled();
     }
 
   private:
@@ -221,9 +223,9 @@ class LayerRepair {
 
 } // namespace
 
-void repairLayers(const DiscreteDomain &boundary, std::span<const LayerHeights> heights,
-                  std::vector<RayChain> &chains) {
-    LayerRepair(boundary, heights, chains).run();
+bool repairLayers(const DiscreteDomain &boundary, std::span<const LayerHeights> heights, std::vector<RayChain> &chains,
+                  const Progress &progress) {
+    return LayerRepair(boundary, heights, chains).run(progress);
 }
 
 } // namespace forefront

@@ -108,7 +108,9 @@ bool NodeGrid::firstDiagonal(std::size_t i, std::size_t j) const {
     if (valid != other) {
         return valid;
     }
-    return std::min(leastSine(a, b, c), leastSine(a, c, d)) >= std::min(leastSine(a, b, d), leastSine(b, c, d));
+    constexpr double kEqual = 1e-9; // rounding must not choose
+    return std::min(leastSine(a, b, c), leastSine(a, c, d)) >=
+           std::min(leastSine(a, b, d), leastSine(b, c, d)) - kEqual;
 }
 
 } // namespace forefront
