@@ -296,6 +296,24 @@ TEST_CASE("boundary layers: too many of them are refused before they are made, a
     CHECK(outcome.faults().front().code == "cancelled");
 }
 
+TEST_CASE("boundary layers: kept segments have all of them, and no nodes beside crowded segments are in the way") {
+    MeshingJob job;
+    addLoop(job.domain, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, kWall);
+    job.spacing.size = 0.1;
+    job.options.keepBoundary = true;
+    job.options.verify = true;
+    REQUIRE(meshed(job).boundary->gradedNodes > 0);
+    job.layers = {layersOf(kWall, 0.02, 1.3, 8)};
+    for (const Elements elements : {Elements::Triangles, Elements::Quads}) {
+        job.options.elements = elements;
+        const MeshingOutcome made = meshed(job);
+        CHECK(made.layers.shortened.empty());
+        CHECK(made.layers.fewest == 8);
+        CHECK(made.mesh.points.empty());
+        CHECK(verify(made.mesh).empty()); // no node is unused
+    }
+}
+
 TEST_CASE("checkLayers: invalid numbers, unknown and repeated parts are refused") {
     MeshingJob job = squareAround(ring(1.0, 16), 0.5);
     job.domain.boundaryNames[kWall] = "wing";

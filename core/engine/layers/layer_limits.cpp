@@ -46,7 +46,7 @@ class Obstacles {
             boxes.push_back(boxOf(boundary.nodes[s.a], boundary.nodes[s.b]));
             layered_.push_back(tags.contains(s.tag) ? 1 : 0);
         }
-        for (const ConstraintPoint &point : boundary.points) {
+        for (const ConstraintPoint &point : boundary.taggedPoints()) { // others give way to layers
             boxes.push_back(boxOf(boundary.nodes[point.node], boundary.nodes[point.node]));
         }
         tree_ = BoxTree(boxes);

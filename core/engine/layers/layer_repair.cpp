@@ -44,7 +44,7 @@ class LayerRepair {
     LayerRepair(const DiscreteDomain &boundary, std::span<const LayerHeights> heights, std::vector<RayChain> &chains)
         : boundary_(boundary), heights_(heights), chains_(chains), tagOf_(boundary.nodes.size(), 0),
           isPoint_(boundary.nodes.size(), 0) {
-        for (const ConstraintPoint &point : boundary.points) {
+        for (const ConstraintPoint &point : boundary.taggedPoints()) {
             tagOf_[point.node] = point.tag;
             isPoint_[point.node] = 1;
         }
