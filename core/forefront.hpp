@@ -28,12 +28,15 @@
 /// | set it at nodes and in regions, or count elements | forefront::PlacedSizes |
 /// | add boundary layers | forefront::LayerSpec, forefront::LayerReport |
 /// | divide two boundary parts alike | forefront::PeriodicSpec, forefront::periodicPairs |
+/// | open cracks along inner lines | forefront::MeshingJob::cracks, forefront::CrackReport, forefront::closeCracks |
+/// | fill faces by rows of elements | forefront::MappedSpec |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
 /// | step through a run, forward and back | forefront::MeshStepper; in the background: forefront::MeshingSession |
 /// | hold a mesh of any kinds of cells | forefront::Mesh, forefront::CellBlock, forefront::CellTraits |
 /// | use the mesh as plain arrays | forefront::coordinates, forefront::connectivity |
 /// | number its nodes for a small bandwidth | forefront::reverseCuthillMcKee, forefront::renumbered |
 /// | split it into triangles | forefront::triangulated |
+/// | make quadrilaterals of its triangles | forefront::recombine |
 /// | find boundary parts and interfaces | forefront::edgesWithTag, forefront::edgeSides |
 /// | check a mesh | forefront::verify, forefront::verifyAgainst |
 /// | measure its quality | forefront::measureQuality, forefront::measureValues, forefront::checkLimits |
@@ -66,6 +69,7 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/pipeline/run_estimate.hpp"
+#include "core/engine/quads/recombine.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/meshing_session.hpp"
 #include "core/engine/spacing/spec/size_grid.hpp"

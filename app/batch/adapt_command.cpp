@@ -116,13 +116,24 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file, 
 Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainFile, const Mesh &mesh,
                            ImportNotes &notes) {
     if (!arguments.domain) {
-        Result<Domain> outline = outlineOf(mesh);
-        return outline ? Result<MeshingJob>(MeshingJob{std::move(*outline), {}, arguments.options()})
-                       : outline.faults();
+        std::vector<OpenLine> lines;
+        Result<Domain> outline = outlineOf(mesh, {}, &lines);
+        if (!outline) {
+            return outline.faults();
+        }
+        MeshingJob job{std::move(*outline), {}, arguments.options()};
+        for (const OpenLine &line : lines) {
+            job.cracks.push_back(line.tag);
+        }
+        return job;
     }
     Result<DomainFile> file = allFormats().readDomain(domainFile.path, domainFile.options, &notes);
-    return file ? Result<MeshingJob>(MeshingJob{std::move(file->domain), std::move(file->spacing), arguments.options()})
-                : file.faults();
+    if (!file) {
+        return file.faults();
+    }
+    MeshingJob job{std::move(file->domain), std::move(file->spacing), arguments.options()};
+    job.cracks = std::move(file->cracks);
+    return job;
 }
 
 /// Makes one new mesh, on which a solver must compute the field.

@@ -1,6 +1,7 @@
 #include "app/batch/check_report.hpp"
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
+#include "app/batch/crack_option.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/option_notes.hpp"
@@ -12,8 +13,10 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/hash.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/mesh_domain.hpp"
 #include "core/engine/mesh/orientation.hpp"
+#include "core/engine/mesh/periodic_pairs.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/build_spacing.hpp"
@@ -68,6 +71,7 @@ struct CheckArguments {
     std::map<std::string, std::string> parameters; ///< of the projects; expressions by name, from --set
     DrawingArguments drawing;                      ///< of the domain
     bool repair = false;
+    std::vector<std::string> cracks; ///< of the domain
     std::optional<double> size;
     std::optional<std::string> expression;
     std::vector<std::string> rasters, presets; ///< of --raster and --size-preset, which sets `expression`
@@ -154,10 +158,13 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
         carryElements(domain, *repaired, file->spacing);
         domain = std::move(repaired->domain);
     }
+    if (Diagnostics unknown = applyCracks(arguments.cracks, domain, file->cracks); !unknown.empty()) {
+        return allFormats().locateFaults(input.path, unknown, input.options);
+    }
     const Repaired *const sources = repaired ? &*repaired : nullptr;
     const bool innerTags = acceptsInnerEdges(arguments.mesh) || hasInnerEdges(mesh);
     Diagnostics faults =
-        verifyAgainst(mesh, domain, file->spacing.placed.counts(), kMaxListedFaults, numbers, innerTags);
+        verifyAgainst(mesh, domain, file->spacing.placed.counts(), kMaxListedFaults, numbers, innerTags, file->cracks);
     if (!hasErrors(faults)) {
         Diagnostics parts;
         if (innerTags) {
@@ -283,6 +290,13 @@ int check(CheckArguments &arguments) {
     } else {
         faults = verify(*mesh, kMaxListedFaults, notes.numbers());
     }
+    for (const PeriodicLink &link : mesh->periodic) {
+        const auto name = [&](std::int32_t tag) { return boundaryName(mesh->boundaryNames, tag); };
+        faults.push_back(noteOf("periodic", "periodic: " + name(link.to) + " is the image of " + name(link.from) +
+                                                ", " + countText(periodicPairs(*mesh, link).pairs.size(), "pair") +
+                                                " of nodes")
+                             .front());
+    }
     if (mesh->elementCount() == 0) {
         faults = error("empty-mesh", "the mesh has no elements");
     }
@@ -321,6 +335,7 @@ int checkCommand(const CommandLine &line) {
                    "write the verdict and the figures as JSON, with the names that mesh --stats has for them; -: print "
                    "them instead of the summary")
         ->type_name("FILE.json");
+    addCrackOption(app, arguments.cracks);
     addConfigOption(app);
     if (const auto code = parseOptions(app, line)) {
         return *code;
@@ -337,6 +352,9 @@ int checkCommand(const CommandLine &line) {
     }
     if (!arguments.parameters.empty() && !arguments.domain && !arguments.savedLimits) {
         return wrongUsage(app.get_name(), "--set: only projects have parameters; add --domain or --limits");
+    }
+    if (!arguments.domain && !arguments.cracks.empty()) {
+        return wrongUsage(app.get_name(), "--crack: names a line of the domain; add --domain");
     }
     if (!arguments.domain && (arguments.repair || !arguments.drawing.firstGiven().empty())) {
         return wrongUsage(app.get_name(), (arguments.repair ? "--repair" : arguments.drawing.firstGiven()) +

@@ -17,6 +17,7 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesh/triangulated.hpp"
+#include "core/engine/quads/recombine.hpp"
 #include "core/files/common/dropped_fields.hpp"
 #include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
@@ -50,6 +51,8 @@ Examples:
         each mesh into a file of its name
   forefront convert quads.msh -o triangles.node --triangles
         quadrilaterals become triangles, and elements of second order become several of first order
+  forefront convert triangles.msh -o quads.inp --recombine
+        quadrilaterals made of the triangles, with the same boundary, interfaces and tagged edges
   forefront convert plate.msh -o second.msh --order 2
         elements with nodes in the middles of their edges, which stay straight
   forefront convert plate.msh -o plate.inp --numbering rcm
@@ -71,6 +74,7 @@ struct ConvertArguments {
     std::vector<std::string> formats;           ///< ids for the outputs in order; the rest by extension
     MeshForm form;
     bool triangles = false;            ///< split all elements into triangles of 3 nodes
+    bool recombine = false;            ///< make quadrilaterals of triangles
     std::optional<ElementOrder> order; ///< raise the order of elements to this one
     std::optional<QuadNodes> quadNodes;
     bool quiet = false;
@@ -115,6 +119,15 @@ Diagnostics checkConverted(const Mesh &mesh, const ConvertArguments &arguments) 
     return {};
 }
 
+/// Prints how many triangles recombining left.
+void noteRecombined(const QuadReport &report, const ConvertArguments &arguments) {
+    if (report.triangles > 0 && !arguments.quiet) {
+        printFaults(noteOf("triangles-left", countText(report.triangles, "triangle") +
+                                                 " left, where faces have odd numbers of edges, "
+                                                 "or lines that must stay meet at flat angles"));
+    }
+}
+
 /// Changes the elements as the options ask. Returns the faults of a mesh that cannot be changed so.
 Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const Progress &progress) {
     const auto noEffect = [&](const std::string &text) {
@@ -127,6 +140,13 @@ Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const 
     }
     if (arguments.triangles) {
         mesh = takeTriangulated(std::move(mesh)).mesh;
+    }
+    if (arguments.recombine) {
+        const Result<QuadReport> report = recombine(mesh, ImproveLevel::Default, progress);
+        if (!report) {
+            return report.faults();
+        }
+        noteRecombined(*report, arguments);
     }
     if (!arguments.order) {
         return {};
@@ -216,6 +236,11 @@ int runConvert(const ConvertArguments &arguments) {
     if (!arguments.quiet) {
         noteDroppedFields(*read, *file);
     }
+    if (arguments.recombine && !elevations.empty()) {
+        elevations.clear();
+        printFaults(noteOf("elevations", "the elevations of the file are left out, since recombining moves nodes; "
+                                         "give them with --elevation"));
+    }
     Mesh mesh = std::move(read->mesh);
     if (mesh.elementCount() == 0) {
         return refuse(
@@ -270,6 +295,10 @@ int convertCommand(const CommandLine &line) {
     addUnitOption(app, arguments.form);
     addElevationOption(app, arguments.form.elevation);
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
+    app.add_flag(
+        "--recombine", arguments.recombine,
+        "make quadrilaterals of triangles; boundary edges, interfaces between regions, tagged edges and tagged "
+        "points stay, nodes inside move; after --triangles if both are given");
     app.add_option_function<std::string>(
            "--order", [&arguments](const std::string &) { arguments.order = ElementOrder::Second; },
            "2: add nodes in the middles of edges, which stay straight")

@@ -1,9 +1,11 @@
 #include "app/batch/mesh_arguments.hpp"
 
 #include "app/batch/cli_options.hpp"
+#include "app/batch/crack_option.hpp"
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/extrude_option.hpp"
 #include "app/batch/inputs.hpp"
+#include "app/batch/mapped_option.hpp"
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_table.hpp"
 #include "app/batch/outputs.hpp"
@@ -43,6 +45,10 @@ Examples:
         20 thin layers along the boundary part wing
   forefront mesh cell.json -o cell.msh --periodic left:right --periodic bottom:top
         nodes on the right side that are images of those on the left, and pairs of them in the file
+  forefront mesh dam.json -o dam.inp --crack joint
+        double nodes along the inner line joint, whose faces become the boundary parts joint and joint_right
+  forefront mesh pipe.json -o pipe.msh --elements quads --mapped wall
+        rows of quadrilaterals in the region wall
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
   forefront mesh part.dxf -o part.inp --size 2
@@ -235,6 +241,8 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     addCurveToleranceOption(app, arguments.curveTolerance);
     addLayersOption(app, layers);
     addPeriodicOption(app, arguments.periodic);
+    addCrackOption(app, arguments.cracks);
+    addMappedOption(app, arguments.mapped);
     addFrontOptions(app, arguments, grid);
     addImportOptions(app, arguments);
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")

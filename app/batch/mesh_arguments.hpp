@@ -39,6 +39,8 @@ struct MeshArguments {
     std::optional<CurveToleranceArgument> curveTolerance;
     std::vector<LayersArgument> layers;
     std::vector<std::string> periodic; ///< values of --periodic
+    std::vector<std::string> cracks;   ///< values of --crack
+    std::vector<std::string> mapped;   ///< values of --mapped
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
     std::optional<Elements> elements;

@@ -1,10 +1,12 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
+#include "app/batch/crack_option.hpp"
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/estimate_report.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/mapped_option.hpp"
 #include "app/batch/mesh_arguments.hpp"
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_notes.hpp"
@@ -62,7 +64,10 @@ Result<ReadJob> readJob(const Input &input, ImportNotes &notes) {
         return file.faults();
     }
     const Box2 box = file->domain.bounds();
-    return ReadJob{{std::move(file->domain), std::move(file->spacing), {}}, box, {}, {}, file->unit};
+    MeshingJob job{std::move(file->domain), std::move(file->spacing), {}};
+    job.cracks = std::move(file->cracks);
+    job.periodic = std::move(file->periodic);
+    return ReadJob{std::move(job), box, {}, {}, file->unit};
 }
 
 /// Returns what is wrong with the options of a picture as spacing file; empty if nothing is.
@@ -349,6 +354,13 @@ int runMesh(const MeshArguments &arguments) {
     }
     if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, applyPeriodic(arguments.periodic, *job), input.options);
+    }
+    if (faults.empty()) {
+        faults = allFormats().locateFaults(input.path, applyCracks(arguments.cracks, job->domain, job->cracks),
+                                           input.options);
+    }
+    if (faults.empty()) {
+        faults = allFormats().locateFaults(input.path, applyMapped(arguments.mapped, *job), input.options);
     }
     if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, checkOpenNames(arguments.form, job->domain), input.options);

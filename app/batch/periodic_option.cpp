@@ -1,51 +1,11 @@
 #include "app/batch/periodic_option.hpp"
 
-#include "core/files/common/names.hpp"
+#include "app/batch/part_names.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 namespace forefront {
-
-namespace {
-
-/// The boundary parts of a job by name.
-class PartNames {
-  public:
-    explicit PartNames(const Domain &domain) {
-        for (const DomainSegment &segment : domain.segments) {
-            parts_.try_emplace(segment.tag, boundaryName(domain.boundaryNames, segment.tag));
-        }
-    }
-
-    /// Returns the tag of a part: by its name or, if none has it, by its default name.
-    std::optional<std::int32_t> find(const std::string &name) const {
-        for (const auto &[tag, own] : parts_) {
-            if (own == name) {
-                return tag;
-            }
-        }
-        for (const auto &[tag, own] : parts_) {
-            if ("boundary_" + std::to_string(tag) == name) {
-                return tag;
-            }
-        }
-        return std::nullopt;
-    }
-    std::vector<std::string> names() const {
-        std::vector<std::string> names;
-        for (const auto &[tag, own] : parts_) {
-            names.push_back(own);
-        }
-        return names;
-    }
-
-  private:
-    std::map<std::int32_t, std::string> parts_;
-};
-
-} // namespace
 
 void addPeriodicOption(CLI::App &app, std::vector<std::string> &texts) {
     app.add_option("--periodic", texts,
@@ -74,10 +34,7 @@ Diagnostics applyPeriodic(const std::vector<std::string> &texts, MeshingJob &job
                 return error("bad-option", "--periodic " + text + ": expected two boundary parts, such as left:right");
             }
             const std::string first = text.substr(0, colon);
-            constexpr std::size_t kListed = 20;
-            return error("unknown-boundary",
-                         "--periodic: unknown boundary part " + (parts.find(first) ? text.substr(colon + 1) : first),
-                         "expected one of " + listed(parts.names(), kListed));
+            return parts.unknown("--periodic", parts.find(first) ? text.substr(colon + 1) : first);
         }
         given.push_back(*spec);
     }

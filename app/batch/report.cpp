@@ -82,6 +82,7 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     report.order = outcome.order;
     report.layers = outcome.layers;
     report.periodic = allPeriodicPairs(outcome.mesh);
+    report.cracks = outcome.cracks;
     report.boundaryNames = outcome.mesh.boundaryNames;
     report.secondsPrepare = outcome.secondsPrepare;
     report.secondsMesh = outcome.secondsMesh;
@@ -334,6 +335,9 @@ std::string statisticsJson(const RunReport &report) {
     if (!report.periodic.empty()) {
         addPeriodic(report.periodic, report.boundaryNames, json);
     }
+    if (!report.cracks.cracks.empty()) {
+        addCracks(report.cracks, report.boundaryNames, json);
+    }
     if (report.rules != FrontRules()) {
         json.key("rules");
         writeRules(report.rules, json);
@@ -445,7 +449,8 @@ std::string summary(const RunReport &report) {
     const std::string rules = report.rules == FrontRules() ? "" : "changed rules: " + changesText(report.rules) + '\n';
     return leastAngleLines(report) + sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + rules + size +
            (report.elements == Elements::Triangles ? std::string() : quadLines(report)) + layersLine(report.layers) +
-           periodicLines(report.periodic, report.boundaryNames) + text;
+           periodicLines(report.periodic, report.boundaryNames) + crackLines(report.cracks, report.boundaryNames) +
+           text;
 }
 
 } // namespace forefront

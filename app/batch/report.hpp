@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/crack_report.hpp"
 #include "app/batch/periodic_report.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/limits.hpp"
@@ -44,7 +45,8 @@ struct RunReport : MeshReport {
     SecondOrderReport order;           ///< of a mesh of second order
     LayerReport layers;                ///< of a mesh with boundary layers
     std::vector<PlacedPairs> periodic; ///< of a mesh with periodic parts
-    /// Names of the boundary parts that `layers` and `periodic` refer to.
+    CrackReport cracks;                ///< of a mesh with cracks
+    /// Names of the boundary parts that `layers`, `periodic` and `cracks` refer to.
     std::map<std::int32_t, std::string> boundaryNames;
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
     std::uint64_t peakBytes = 0; ///< maximum resident memory of the program so far

@@ -134,6 +134,8 @@ forefront_status forefront_read_domain(forefront_context *context, forefront_job
         }
         to.domain = std::move(file->domain);
         to.spacing = std::move(file->spacing);
+        to.cracks = std::move(file->cracks);
+        to.periodic = std::move(file->periodic);
         return FOREFRONT_OK;
     });
 }

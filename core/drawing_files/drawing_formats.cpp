@@ -63,7 +63,8 @@ Result<DomainFile> readProjectDomain(const SourceText &source) {
         return document.faults();
     }
     MeshingJob job = jobOf(*document);
-    return DomainFile{std::move(job.domain), std::move(job.spacing), document->unit};
+    return DomainFile{std::move(job.domain), std::move(job.spacing), document->unit, std::move(job.cracks),
+                      std::move(job.periodic)};
 }
 
 /// Returns the description of a map that the component forefront-gdal reads.

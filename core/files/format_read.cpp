@@ -1,3 +1,4 @@
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/mesh_domain.hpp"
 #include "core/files/common/dropped_fields.hpp"
 #include "core/files/format.hpp"
@@ -68,6 +69,23 @@ Result<Mesh> meshAlone(const Format &format, const SourceText &source) {
 
 } // namespace
 
+namespace {
+
+/// Notes that open lines of a mesh are read as cracks, and what their faces lose.
+void noteCracks(const Mesh &mesh, const Domain &domain, const std::vector<OpenLine> &cracks, const SourceText &source) {
+    for (const OpenLine &line : cracks) {
+        const std::string name = boundaryName(domain.boundaryNames, line.tag),
+                          other = line.other == 0 ? std::string() : boundaryName(mesh.boundaryNames, line.other);
+        const bool lost = !other.empty() && other != crackFaceName(name);
+        source.note("crack",
+                    "the mesh is open along " + countText(line.edges, "edge") + ", first at " + placeText(line.at) +
+                        ": read as the crack " + name + (lost ? "; its other face was " + other : std::string()),
+                    0);
+    }
+}
+
+} // namespace
+
 Result<DomainFile> domainFrom(const Format &format, const SourceText &source) {
     if (format.readDomain != nullptr) {
         return format.readDomain(source);
@@ -76,8 +94,20 @@ Result<DomainFile> domainFrom(const Format &format, const SourceText &source) {
     if (!mesh) {
         return mesh.faults();
     }
-    Result<Domain> outline = domainOfMesh(*mesh, source.options.progress);
-    return outline ? Result<DomainFile>(DomainFile{std::move(*outline), {}}) : outline.faults();
+    std::vector<OpenLine> lines;
+    Result<Domain> outline = domainOfMesh(*mesh, source.options.progress, &lines);
+    if (!outline) {
+        return outline.faults();
+    }
+    noteCracks(*mesh, *outline, lines, source);
+    DomainFile file{std::move(*outline), {}};
+    for (const PeriodicLink &link : mesh->periodic) {
+        file.periodic.push_back({link.from, link.to});
+    }
+    for (const OpenLine &line : lines) {
+        file.cracks.push_back(line.tag);
+    }
+    return file;
 }
 
 Result<DomainFile> FormatList::readDomain(const std::filesystem::path &path, const ImportOptions &options,

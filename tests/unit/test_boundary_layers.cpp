@@ -11,6 +11,9 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <stop_token>
+#include <string>
+#include <string_view>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -268,6 +271,47 @@ TEST_CASE("boundary layers: a wall inside the domain has them on both sides") {
     CHECK(outcome.layers.shortened.empty());
     CHECK(outcome.layers.triangles == 2 * 9);
     CHECK(outcome.layers.quadrilaterals == 8 * 20 + 2 * 9 * 7);
+}
+
+TEST_CASE("boundary layers: too many of them are refused before they are made, and building them can be cancelled") {
+    MeshingJob job = squareAround(ring(1.0, 200), 0.1);
+    job.layers = {layersOf(kWall, 1e-4, 1.0, 1000)};
+    job.options.maxElements = 50'000;
+    Result<MeshingOutcome> outcome = meshDomain(job);
+    REQUIRE_FALSE(outcome);
+    CHECK(outcome.faults().front().code == "too-many-elements");
+    CHECK(outcome.faults().front().message.find("boundary layers need about 2e+05") != std::string::npos);
+    job.layers = {layersOf(kWall, 1e-3, 1.2, 5)};
+    CHECK(meshDomain(job));
+    std::stop_source stop;
+    Progress progress;
+    progress.stop = stop.get_token();
+    progress.report = [&](std::string_view stage, double) {
+        if (stage == "building boundary layers") {
+            stop.request_stop();
+        }
+    };
+    outcome = meshDomain(job, progress);
+    REQUIRE_FALSE(outcome);
+    CHECK(outcome.faults().front().code == "cancelled");
+}
+
+TEST_CASE("boundary layers: kept segments have all of them, and no nodes beside crowded segments are in the way") {
+    MeshingJob job;
+    addLoop(job.domain, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, kWall);
+    job.spacing.size = 0.1;
+    job.options.keepBoundary = true;
+    job.options.verify = true;
+    REQUIRE(meshed(job).boundary->gradedNodes > 0);
+    job.layers = {layersOf(kWall, 0.02, 1.3, 8)};
+    for (const Elements elements : {Elements::Triangles, Elements::Quads}) {
+        job.options.elements = elements;
+        const MeshingOutcome made = meshed(job);
+        CHECK(made.layers.shortened.empty());
+        CHECK(made.layers.fewest == 8);
+        CHECK(made.mesh.points.empty());
+        CHECK(verify(made.mesh).empty()); // no node is unused
+    }
 }
 
 TEST_CASE("checkLayers: invalid numbers, unknown and repeated parts are refused") {

@@ -104,7 +104,7 @@ TEST_CASE("Import notes: mesh formats report what they skip; our own files cause
         }
     }
     ImportNotes notes;
-    const std::string msh = written(writeMsh2, mesh) + "$Periodic\n0\n$EndPeriodic\n";
+    const std::string msh = written(writeMsh2, mesh) + "$Parametrizations\n0\n$EndParametrizations\n";
     SourceText source = sourceOf(msh);
     source.notes = &notes;
     CHECK(readMsh(source).ok());

@@ -291,7 +291,13 @@ TEST_CASE("periodic parts: MSH files hold the pairs, Abaqus files tell them") {
     CHECK(periodicPairs(renumbered, mesh.periodic[0]).exact == pairs);
     CHECK(renumbered.periodic == mesh.periodic);
     for (const std::string *text : {&msh2, &msh4, &binary}) {
-        CHECK(readMsh(sourceOf(*text)));
+        const Result<Mesh> read = readMsh(sourceOf(*text));
+        REQUIRE(read);
+        REQUIRE(read->periodic.size() == mesh.periodic.size());
+        for (const PeriodicLink &link : mesh.periodic) {
+            CHECK(std::find(read->periodic.begin(), read->periodic.end(), link) != read->periodic.end());
+        }
+        CHECK(verifyPeriodic(*read).empty());
     }
 }
 

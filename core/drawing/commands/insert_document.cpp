@@ -128,6 +128,18 @@ Document inserted(const Document &document, const Document &other, double scale,
     };
     std::copy_if(other.periodic.begin(), other.periodic.end(), std::back_inserter(next.periodic),
                  [&](const PeriodicSpec &spec) { return isNew(spec.from) && isNew(spec.to); });
+    std::copy_if(other.cracks.begin(), other.cracks.end(), std::back_inserter(next.cracks), [&](std::int32_t tag) {
+        return !std::binary_search(known.begin(), known.end(), tag) && std::ranges::count(document.cracks, tag) == 0;
+    });
+    for (const MappedSpec &spec : other.mapped) {
+        const bool taken =
+            std::ranges::any_of(document.mapped, [&](const auto &own) { return own.region == spec.region; }) ||
+            std::ranges::any_of(document.regionMarkers, [&](const auto &own) { return own.tag == spec.region; });
+        if (!taken) {
+            MappedSpec &copy = next.mapped.emplace_back(spec);
+            std::ranges::transform(copy.corners, copy.corners.begin(), [scale](Vec2 p) { return scale * p; });
+        }
+    }
     next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
     next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());
     items.constraints = copyConstraints(next, other, items.shapes);

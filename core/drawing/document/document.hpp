@@ -8,6 +8,7 @@
 #include "core/engine/base/length_unit.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/mapped_spec.hpp"
 #include "core/engine/domain/periodic.hpp"
 #include "core/engine/layers/layer_spec.hpp"
 #include "core/engine/mesh/limits.hpp"
@@ -74,6 +75,8 @@ struct Document {
     std::map<std::int32_t, PartElements> elementCounts;
     std::vector<LayerSpec> layers;      ///< boundary layers, at most one specification for each tag
     std::vector<PeriodicSpec> periodic; ///< tags that are divided alike, each in one pair at most
+    std::vector<std::int32_t> cracks;   ///< tags of inner lines that are cracks, each once
+    std::vector<MappedSpec> mapped;     ///< regions that are filled by rows, each once
     MeshingOptions options;
     MeshLimits limits; ///< that its meshes must meet
     /// Maximum distance between a curve and its chords in the domain, relative to the radius of a circle or the size of

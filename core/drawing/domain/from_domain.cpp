@@ -106,6 +106,8 @@ Document fromDomain(const DomainFile &file) {
     document.unit = file.unit;
     document.spacing = file.spacing;
     document.spacing.placed = {};
+    document.cracks = file.cracks;
+    document.periodic = file.periodic;
     takeRegionSizes(file.spacing.placed.regions, document.regionMarkers);
     for (const NodeSize &node : file.spacing.placed.nodes) {
         for (std::shared_ptr<const Shape> &shape : document.shapes) {

@@ -217,7 +217,7 @@ MeshingJob jobOf(const Document &document) {
     job.spacing.placed.elements = made.elements();
     job.spacing.placed.biases = made.biases();
     job.spacing.placed.segments = made.sizes();
-    // A deleted part may have left its layers and its periodic partner, as it may its size.
+    // A deleted part may have left its layers, its periodic partner, its crack or its rows, as it may its size.
     const auto present = [&](std::int32_t tag) {
         return std::any_of(job.domain.segments.begin(), job.domain.segments.end(),
                            [&](const DomainSegment &segment) { return segment.tag == tag; });
@@ -226,6 +226,13 @@ MeshingJob jobOf(const Document &document) {
                  [&](const LayerSpec &layer) { return present(layer.tag); });
     std::copy_if(document.periodic.begin(), document.periodic.end(), std::back_inserter(job.periodic),
                  [&](const PeriodicSpec &spec) { return present(spec.from) && present(spec.to); });
+    std::copy_if(document.cracks.begin(), document.cracks.end(), std::back_inserter(job.cracks), present);
+    std::copy_if(document.mapped.begin(), document.mapped.end(), std::back_inserter(job.mapped),
+                 [&](const MappedSpec &spec) {
+                     return spec.region == 1 ||
+                            std::any_of(document.regionMarkers.begin(), document.regionMarkers.end(),
+                                        [&](const MarkedRegion &marker) { return marker.tag == spec.region; });
+                 });
     return job;
 }
 

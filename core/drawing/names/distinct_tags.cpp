@@ -82,6 +82,9 @@ void retagBoundaries(Document &document, const Tags &tags) {
     for (PeriodicSpec &spec : document.periodic) {
         spec = {newTag(tags, spec.from), newTag(tags, spec.to)};
     }
+    for (std::int32_t &tag : document.cracks) {
+        tag = newTag(tags, tag);
+    }
     std::map<NumberAddress, std::string> formulas;
     for (const auto &[given, text] : document.formulas) {
         NumberAddress address = given;
@@ -96,6 +99,9 @@ void retagBoundaries(Document &document, const Tags &tags) {
 void retagRegions(Document &document, const Tags &tags) {
     for (MarkedRegion &marker : document.regionMarkers) {
         marker.tag = newTag(tags, marker.tag);
+    }
+    for (MappedSpec &spec : document.mapped) {
+        spec.region = newTag(tags, spec.region);
     }
     document.regionNames = retagged(document.regionNames, tags);
 }

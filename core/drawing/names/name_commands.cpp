@@ -70,6 +70,12 @@ std::int32_t freeBoundaryTag(const Document &document) {
     for (const PeriodicSpec &spec : document.periodic) {
         last = std::max({last, spec.from, spec.to});
     }
+    for (const std::int32_t tag : document.cracks) {
+        last = std::max(last, tag);
+    }
+    for (const std::int32_t tag : document.cracks) {
+        last = std::max(last, tag);
+    }
     return last < std::numeric_limits<std::int32_t>::max() ? last + 1 : last;
 }
 
@@ -111,6 +117,7 @@ Result<Document> renameBoundaryTag(const Document &document, std::int32_t tag, c
     merged.elementCounts.erase(tag);
     std::erase_if(merged.layers, [&](const LayerSpec &layer) { return layer.tag == tag; });
     std::erase_if(merged.periodic, [&](const PeriodicSpec &spec) { return spec.from == tag || spec.to == tag; });
+    std::erase(merged.cracks, tag);
     return all.shapes.empty() && all.segments.empty() ? merged : nameBoundaryPart(merged, all, name);
 }
 

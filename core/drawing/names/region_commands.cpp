@@ -2,6 +2,7 @@
 
 #include "core/engine/spacing/spec/spec_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -168,8 +169,11 @@ std::vector<std::int32_t> regionTags(const Document &document) {
 }
 
 std::int32_t freeRegionTag(const Document &document) {
-    const std::vector<std::int32_t> tags = regionTags(document);
-    return tags.back() < std::numeric_limits<std::int32_t>::max() ? tags.back() + 1 : tags.back();
+    std::int32_t last = regionTags(document).back();
+    for (const MappedSpec &spec : document.mapped) { // of a deleted region
+        last = std::max(last, spec.region);
+    }
+    return last < std::numeric_limits<std::int32_t>::max() ? last + 1 : last;
 }
 
 } // namespace forefront

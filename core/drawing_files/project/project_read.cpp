@@ -4,9 +4,11 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/drawing_files/project/project_constraints.hpp"
+#include "core/drawing_files/project/project_cracks.hpp"
 #include "core/drawing_files/project/project_curves.hpp"
 #include "core/drawing_files/project/project_element_counts.hpp"
 #include "core/drawing_files/project/project_layers.hpp"
+#include "core/drawing_files/project/project_mapped.hpp"
 #include "core/drawing_files/project/project_node_sizes.hpp"
 #include "core/drawing_files/project/project_parameters.hpp"
 #include "core/drawing_files/project/project_periodic.hpp"
@@ -79,15 +81,17 @@ class ProjectReader {
         readElementCounts(root, document_, check_);
         readLayers(root, document_, check_);
         readPeriodic(root, document_, check_);
+        readCracks(root, document_, check_);
+        readMapped(root, document_, check_);
         readParameters(root, source_.options.parameters, document_, check_);
         if (!check_.faults().empty()) {
             return check_.faults();
         }
-        check_.noteUnknown(root,
-                           {"format",     "version",  "shapes",  "regionMarkers", "boundaryNames",   "regionNames",
-                            "spacing",    "options",  "limits",  "nextId",        "circleTolerance", "curveTolerance",
-                            "parameters", "formulas", "picture", "elementCounts", "constraints",     "guides",
-                            "layers",     "periodic", "unit"});
+        check_.noteUnknown(root, {"format",          "version",        "shapes",     "regionMarkers", "boundaryNames",
+                                  "regionNames",     "spacing",        "options",    "limits",        "nextId",
+                                  "circleTolerance", "curveTolerance", "parameters", "formulas",      "picture",
+                                  "elementCounts",   "constraints",    "guides",     "layers",        "periodic",
+                                  "cracks",          "mapped",         "unit"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }

@@ -1,9 +1,11 @@
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/drawing_files/project/project_constraints.hpp"
+#include "core/drawing_files/project/project_cracks.hpp"
 #include "core/drawing_files/project/project_curves.hpp"
 #include "core/drawing_files/project/project_element_counts.hpp"
 #include "core/drawing_files/project/project_layers.hpp"
+#include "core/drawing_files/project/project_mapped.hpp"
 #include "core/drawing_files/project/project_node_sizes.hpp"
 #include "core/drawing_files/project/project_periodic.hpp"
 #include "core/drawing_files/project/project_picture.hpp"
@@ -39,6 +41,8 @@ class ProjectWriter {
         writeElementCounts(document, out_);
         writeLayers(document, out_);
         writePeriodic(document, out_);
+        writeCracks(document, out_);
+        writeMapped(document, out_);
         options(document.options);
         limits(document.limits);
         out_ << ",\n  \"circleTolerance\": ";

@@ -54,6 +54,7 @@ Diagnostics remesh(AdaptOutcome &outcome, const MeshingJob &given, const TriMesh
     }
     spacing->placed = given.spacing.placed;
     MeshingJob job{given.domain, std::move(*spacing), given.options};
+    job.cracks = given.cracks;
     Result<MeshingOutcome> next = meshDomain(job, progress);
     if (!next) {
         return next.faults();

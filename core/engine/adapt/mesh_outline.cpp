@@ -112,8 +112,8 @@ Domain withoutStraightNodes(const Domain &domain) {
     return StraightRuns(domain).run();
 }
 
-Result<Domain> outlineOf(const MeshView &mesh, const Progress &progress) {
-    const Result<Domain> domain = domainOfMesh(mesh, progress);
+Result<Domain> outlineOf(const MeshView &mesh, const Progress &progress, std::vector<OpenLine> *cracks) {
+    const Result<Domain> domain = domainOfMesh(mesh, progress, cracks);
     if (!domain) {
         return domain.faults();
     }

@@ -1,5 +1,7 @@
 #include "core/engine/layers/boundary_layers.hpp"
 
+#include "core/engine/base/cancelled.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/boundary/estimate.hpp"
 #include "core/engine/layers/layer_cut.hpp"
 #include "core/engine/layers/layer_elements.hpp"
@@ -30,11 +32,28 @@ std::vector<LayerHeights> heightsOf(const DiscreteDomain &boundary, const std::v
     return heights;
 }
 
+/// Returns the number of elements that the layers of some rays have, quadrilaterals divided as asked; a step between
+/// two rays counts as a whole layer.
+double elementsOf(std::span<const RayChain> chains, std::span<const LayerSpec> specs) {
+    double count = 0.0;
+    for (const RayChain &chain : chains) {
+        for (std::size_t i = 0; i < chain.columns.size(); ++i) {
+            const double layers = std::max(chain.rays[i].count, chain.rayAfter(i).count);
+            count += specs[chain.rays[i].spec].cells == LayerCells::Triangles ? 2.0 * layers : layers;
+        }
+    }
+    return count;
+}
+
 /// Returns the rays with the numbers of layers that they can have.
-std::vector<RayChain> finishedRays(const LayerRequest &request, const DiscreteDomain &boundary,
-                                   const std::vector<WallChain> &walls, std::span<const LayerHeights> heights) {
+Result<std::vector<RayChain>> finishedRays(const LayerRequest &request, const DiscreteDomain &boundary,
+                                           const std::vector<WallChain> &walls, std::span<const LayerHeights> heights,
+                                           const Progress &progress) {
     std::vector<RayChain> chains;
     for (const WallChain &wall : walls) {
+        if (progress.cancelled()) {
+            return cancelled("meshing");
+        }
         RayChain chain =
             raysOf(boundary, wall, heights, request.specs, {&request.domain, request.elements, request.keepBoundary});
         levelLayers(chain);
@@ -44,11 +63,21 @@ std::vector<RayChain> finishedRays(const LayerRequest &request, const DiscreteDo
         chains.push_back(std::move(chain));
     }
     limitAtEnds(request.domain, boundary, heights, chains);
-    limitByObstacles(boundary, heights, request.specs, chains);
+    if (!limitByObstacles(boundary, heights, request.specs, chains, progress)) {
+        return cancelled("meshing");
+    }
     for (RayChain &chain : chains) {
         levelLayers(chain);
     }
-    repairLayers(boundary, heights, chains);
+    if (const double count = elementsOf(chains, request.specs); count > request.maxElements) {
+        return error("too-many-elements",
+                     "the boundary layers need about " + numberText(count, 3) + " elements; expected at most " +
+                         numberText(request.maxElements, 3),
+                     "ask for fewer layers or longer wall edges, or raise the maximum number of elements");
+    }
+    if (!repairLayers(boundary, heights, chains, progress)) {
+        return cancelled("meshing");
+    }
     return chains;
 }
 
@@ -73,7 +102,11 @@ Result<BuiltLayers> buildLayers(const LayerRequest &request, std::shared_ptr<con
     progress("building boundary layers", 0.0);
     const std::vector<WallChain> walls = wallChains(*boundary, request.specs);
     const std::vector<LayerHeights> heights = heightsOf(*boundary, walls, request.specs);
-    std::vector<RayChain> chains = finishedRays(request, *boundary, walls, heights);
+    Result<std::vector<RayChain>> finished = finishedRays(request, *boundary, walls, heights, progress);
+    if (!finished) {
+        return finished.faults();
+    }
+    std::vector<RayChain> &chains = *finished;
     Result<std::shared_ptr<const SpacingField>> field =
         layeredField(std::move(spacing), topSites(chains, heights, request.gradation), boundary->bounds(), progress);
     if (!field) {

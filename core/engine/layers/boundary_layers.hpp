@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,7 +23,7 @@ struct LayerCell {
     std::uint32_t region = 0; ///< index into DiscreteDomain::regions
 };
 
-/// Boundary layers and what they leave to the front.
+/// Boundary layers, or the rows of mapped faces, and what they leave to the front.
 ///
 /// The nodes of the layers are numbered from the nodes of `outer` on: first those of `outer`, then `inner`.
 struct BoundaryLayers {
@@ -41,6 +42,7 @@ struct LayerRequest {
     SegmentElements elements;         ///< segments with a number of elements keep it
     bool keepBoundary = false;        ///< no segment may be divided in another way
     double gradation = 0.2;           ///< growth of the size from the tops of the layers, per unit of distance
+    double maxElements = std::numeric_limits<double>::infinity(); ///< of the layers
 };
 
 /// Layers together with what they change.
@@ -52,7 +54,7 @@ struct BuiltLayers {
 };
 
 /// Builds the layers on a discretised boundary. They do not depend on the number of threads. Errors: too-many-nodes,
-/// cancelled.
+/// too-many-elements (before the elements are made), cancelled.
 Result<BuiltLayers> buildLayers(const LayerRequest &request, std::shared_ptr<const DiscreteDomain> boundary,
                                 std::shared_ptr<const SpacingField> spacing, const Progress &progress = {});
 

@@ -1,5 +1,7 @@
 #include "core/engine/layers/layer_elements.hpp"
 
+#include "core/engine/geometry/box_tree.hpp"
+#include "core/engine/geometry/predicates.hpp"
 #include "core/engine/layers/layer_outline.hpp"
 
 #include <algorithm>
@@ -165,9 +167,57 @@ class LayerElements {
         std::erase_if(outer.points, [&](const ConstraintPoint &point) {
             return wasUsed[point.node] != 0 && isUsed[point.node] == 0;
         });
+        dropGradedNodes(outer);
         for (const LayerCell &cell : result_.cells) {
             outer.regions[cell.region].area -= areaOf(cell);
         }
+    }
+
+    /// Drops the points without a tag that lie in the layers, or closer to their tops than half of a top: they lead the
+    /// front to the size asked for, to which the tops lead it now.
+    void dropGradedNodes(DiscreteDomain &outer) const {
+        if (outer.gradedNodes == 0) {
+            return;
+        }
+        std::vector<Box2> boxes;
+        for (const LayerCell &cell : result_.cells) {
+            Box2 &box = boxes.emplace_back();
+            for (const std::uint32_t node : cell.nodes) {
+                if (node != kNoIndex) {
+                    box.add(nodes_[node]);
+                }
+            }
+        }
+        for (const DiscreteSegment &top : tops_) {
+            Box2 box;
+            box.add(nodes_[top.a]);
+            box.add(nodes_[top.b]);
+            boxes.push_back(box.grown(0.5 * distance(nodes_[top.a], nodes_[top.b])));
+        }
+        const BoxTree tree(boxes);
+        const std::size_t tagged = outer.taggedPoints().size();
+        std::size_t kept = tagged;
+        for (std::size_t k = tagged; k < outer.points.size(); ++k) {
+            const Vec2 p = outer.nodes[outer.points[k].node];
+            bool covered = false;
+            tree.query({p, p}, [&](std::uint32_t item) {
+                covered = covered || item >= result_.cells.size() || holds(result_.cells[item], p);
+            });
+            if (!covered) {
+                outer.points[kept++] = outer.points[k];
+            }
+        }
+        outer.points.resize(kept);
+        outer.gradedNodes = kept - tagged;
+    }
+    bool holds(const LayerCell &cell, Vec2 p) const {
+        const std::size_t corners = cell.nodes[3] == kNoIndex ? 3 : 4;
+        for (std::size_t k = 0; k < corners; ++k) {
+            if (orientation(nodes_[cell.nodes[k]], nodes_[cell.nodes[(k + 1) % corners]], p) < 0) {
+                return false;
+            }
+        }
+        return true;
     }
 
     double areaOf(const LayerCell &cell) const {

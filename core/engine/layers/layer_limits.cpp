@@ -46,7 +46,7 @@ class Obstacles {
             boxes.push_back(boxOf(boundary.nodes[s.a], boundary.nodes[s.b]));
             layered_.push_back(tags.contains(s.tag) ? 1 : 0);
         }
-        for (const ConstraintPoint &point : boundary.points) {
+        for (const ConstraintPoint &point : boundary.taggedPoints()) { // others give way to layers
             boxes.push_back(boxOf(boundary.nodes[point.node], boundary.nodes[point.node]));
         }
         tree_ = BoxTree(boxes);
@@ -133,14 +133,20 @@ void levelOneWay(RayChain &chain, bool forward) {
 
 } // namespace
 
-void limitByObstacles(const DiscreteDomain &boundary, std::span<const LayerHeights> heights,
-                      std::span<const LayerSpec> specs, std::vector<RayChain> &chains) {
+bool limitByObstacles(const DiscreteDomain &boundary, std::span<const LayerHeights> heights,
+                      std::span<const LayerSpec> specs, std::vector<RayChain> &chains, const Progress &progress) {
+    constexpr std::size_t kBatch = 64; // rays between checks for cancellation
     const Obstacles obstacles(boundary, heights, specs);
+    std::size_t done = 0;
     for (RayChain &chain : chains) {
         for (LayerRay &ray : chain.rays) {
+            if (done++ % kBatch == 0 && progress.cancelled()) {
+                return false;
+            }
             obstacles.limit(ray, {chain.ends[0].slidesAlong, chain.ends[1].slidesAlong});
         }
     }
+    return true;
 }
 
 void limitAtEnds(const Domain &domain, const DiscreteDomain &boundary, std::span<const LayerHeights> heights,

@@ -44,7 +44,7 @@ class LayerRepair {
     LayerRepair(const DiscreteDomain &boundary, std::span<const LayerHeights> heights, std::vector<RayChain> &chains)
         : boundary_(boundary), heights_(heights), chains_(chains), tagOf_(boundary.nodes.size(), 0),
           isPoint_(boundary.nodes.size(), 0) {
-        for (const ConstraintPoint &point : boundary.points) {
+        for (const ConstraintPoint &point : boundary.taggedPoints()) {
             tagOf_[point.node] = point.tag;
             isPoint_[point.node] = 1;
         }
@@ -64,12 +64,14 @@ class LayerRepair {
         tree_ = BoxTree(boxes);
     }
 
-    void run() {
-        while (unfold() || uncover() || separate()) {
+    /// Returns false when cancelled.
+    bool run(const Progress &progress) {
+        while (!progress.cancelled() && (unfold() || uncover() || separate())) {
             for (RayChain &chain : chains_) {
                 levelLayers(chain);
             }
         }
+        return !progress.cancelled();
     }
 
   private:
@@ -221,9 +223,9 @@ class LayerRepair {
 
 } // namespace
 
-void repairLayers(const DiscreteDomain &boundary, std::span<const LayerHeights> heights,
-                  std::vector<RayChain> &chains) {
-    LayerRepair(boundary, heights, chains).run();
+bool repairLayers(const DiscreteDomain &boundary, std::span<const LayerHeights> heights, std::vector<RayChain> &chains,
+                  const Progress &progress) {
+    return LayerRepair(boundary, heights, chains).run(progress);
 }
 
 } // namespace forefront

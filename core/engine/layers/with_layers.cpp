@@ -1,7 +1,9 @@
 #include "core/engine/layers/boundary_layers.hpp"
 
 #include <array>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -23,6 +25,40 @@ void retag(Mesh &mesh, const DiscreteDomain &boundary) {
     }
     for (const ConstraintPoint &point : boundary.taggedPoints()) {
         mesh.points.push_back({NodeId{point.node}, point.tag});
+    }
+}
+
+/// Drops the nodes that nothing uses: those that would have led the front to its size where the layers are now.
+void dropUnusedNodes(Mesh &mesh) {
+    std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
+    for (const CellBlock &block : mesh.blocks) {
+        for (const NodeId node : block.connectivity()) {
+            used[index(node)] = 1;
+        }
+    }
+    for (const TaggedNode &point : mesh.points) {
+        used[index(point.node)] = 1;
+    }
+    std::vector<NodeId> numbers(mesh.nodes.size(), kNoNode);
+    std::uint32_t count = 0;
+    for (std::size_t n = 0; n < used.size(); ++n) {
+        if (used[n] != 0) {
+            mesh.nodes[count] = mesh.nodes[n];
+            numbers[n] = NodeId{count++};
+        }
+    }
+    mesh.nodes.resize(count);
+    for (CellBlock &block : mesh.blocks) {
+        for (NodeId &node : block.connectivity()) {
+            node = numbers[index(node)];
+        }
+    }
+    for (TaggedEdge &edge : mesh.edges) {
+        edge.a = numbers[index(edge.a)];
+        edge.b = numbers[index(edge.b)];
+    }
+    for (TaggedNode &point : mesh.points) {
+        point.node = numbers[index(point.node)];
     }
 }
 
@@ -48,6 +84,9 @@ Mesh withLayers(Mesh mesh, const BoundaryLayers &layers, const DiscreteDomain &b
         }
     }
     retag(mesh, boundary);
+    if (boundary.gradedNodes > 0) {
+        dropUnusedNodes(mesh);
+    }
     return mesh;
 }
 

@@ -234,11 +234,62 @@ class MeshOutline {
 
 } // namespace
 
-Result<Domain> domainOfMesh(const MeshView &mesh, const Progress &progress) {
+namespace {
+
+/// Gives the open lines without a tag one, in a closed mesh.
+void nameOpenLines(ClosedMesh &closed) {
+    if (closed.untagged.empty()) {
+        return;
+    }
+    Mesh &mesh = closed.mesh;
+    std::set<std::int32_t> taken;
+    bool known = false;
+    for (const TaggedEdge &edge : mesh.edges) {
+        taken.insert(edge.tag);
+    }
+    for (const TaggedNode &point : mesh.points) {
+        taken.insert(point.tag);
+    }
+    for (const auto &[tag, name] : mesh.boundaryNames) {
+        known = known || name == "crack";
+    }
+    const std::int32_t tag = unusedTag(taken, mesh.boundaryNames, TagKind::Boundary);
+    if (!known) {
+        mesh.boundaryNames[tag] = "crack";
+    }
+    for (TaggedEdge edge : closed.untagged) {
+        edge.tag = tag;
+        mesh.edges.push_back(edge);
+        if (!mesh.edgeStretches.empty()) {
+            mesh.edgeStretches.emplace_back();
+        }
+    }
+    for (OpenLine &line : closed.lines) {
+        line.tag = line.tag == 0 ? tag : line.tag;
+    }
+}
+
+} // namespace
+
+Result<Domain> domainOfMesh(const MeshView &mesh, const Progress &progress, std::vector<OpenLine> *cracks) {
     if (mesh.elementCount() == 0 && mesh.edges.empty()) {
         return error("empty-domain", "the mesh has neither elements nor lines that could bound a domain");
     }
-    return MeshOutline(mesh, progress).run();
+    if (mesh.elementCount() == 0 || openLines(mesh).empty()) {
+        return MeshOutline(mesh, progress).run();
+    }
+    ClosedMesh closed = closeCracks(mesh);
+    nameOpenLines(closed);
+    Result<Domain> domain = MeshOutline(closed.mesh, progress).run();
+    if (domain) {
+        for (const OpenLine &line : closed.lines) {
+            domain->boundaryNames.erase(line.other); // of the face that is made again
+        }
+        if (cracks != nullptr) {
+            *cracks = std::move(closed.lines);
+        }
+    }
+    return domain;
 }
 
 std::vector<TaggedEdge> untaggedEdges(const MeshView &mesh) {

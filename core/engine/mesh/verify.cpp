@@ -2,7 +2,9 @@
 
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/base/out_of_memory.hpp"
+#include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/coverage.hpp"
+#include "core/engine/mesh/cracks.hpp"
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/fault_list.hpp"
 #include "core/engine/mesh/orientation.hpp"
@@ -153,6 +155,20 @@ void checkCoverage(const NumberedMesh &named, const HalfEdges &sides, const std:
     }
 }
 
+/// Notes the lines along which elements share no nodes although their edges coincide.
+void noteOpenLines(const NumberedMesh &named, FaultList &faults) {
+    for (const OpenLine &line : openLines(named.mesh)) {
+        const auto name = [&](std::int32_t tag) { return boundaryName(named.mesh.boundaryNames, tag); };
+        const std::string names = line.tag == 0     ? "without a name"
+                                  : line.other == 0 ? "of " + name(line.tag)
+                                                    : "of " + name(line.tag) + " and " + name(line.other);
+        faults.note("open-line",
+                    countText(line.edges, "edge") + ' ' + names + (line.edges == 1 ? " is" : " are") +
+                        " double: the elements on both sides share no nodes there, as at a crack",
+                    line.at, {});
+    }
+}
+
 /// Counts the parts of the mesh that are connected across edges.
 std::int64_t countParts(const MeshView &mesh, const HalfEdges &sides, const std::vector<HalfEdge> &opposite) {
     std::vector<bool> seen(mesh.elementCount(), false);
@@ -249,6 +265,7 @@ void checkSound(const NumberedMesh &named, FaultList &faults) {
     if (conforming) {
         checkCoverage(named, table.halfEdges(), boundary, faults);
         checkEuler(named.mesh, table, boundary, faults);
+        noteOpenLines(named, faults);
     }
     checkNodesUsed(named, faults);
 }

@@ -6,6 +6,9 @@
 #include "core/engine/mesh/mesh_numbers.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 
+#include <cstdint>
+#include <span>
+
 namespace FOREFRONT_API forefront {
 
 struct DiscreteDomain;
@@ -21,7 +24,8 @@ struct Domain;
 ///   middle node of their edge, a tagged edge and its element have different ones, or the node is used elsewhere, too),
 ///   overlapping, hanging-node, missing-tagged-edge, euler
 /// - out-of-memory
-/// Nodes of no element are a note (unreferenced-node). A mesh whose elements are all clockwise gets a warning
+/// Nodes of no element are a note (unreferenced-node), and so are lines along which elements share no nodes although
+/// their edges coincide (open-line), as along cracks. A mesh whose elements are all clockwise gets a warning
 /// (clockwise) and is checked as if it were turned. Overlaps and hanging nodes are found between the chords of curved
 /// edges: an element that bulges over another element across the outside of the mesh is not detected. At most `limit`
 /// entries, errors first; a kind of fault that occurs often is one entry with its count. `numbers`: of the nodes and
@@ -40,8 +44,10 @@ Diagnostics verifyAgainst(const MeshView &mesh, const DiscreteDomain &domain, st
 /// nodes must lie on the curve or on its chords. So must nodes in the middles of edges along segments (middle-node);
 /// otherwise curved edges are compared by their chords. `innerTags`: false if the mesh carries no tags of edges inside
 /// the domain, where constraints must then be edges, whichever tags they have. `elements`: PlacedSizes::elements of the
-/// spacing; edges along a curve with a number of elements may be far from it.
+/// spacing; edges along a curve with a number of elements may be far from it. `cracks`: tags of inner lines that must
+/// be cracks in the mesh, as verifyCracks() says; the mesh is compared with them closed.
 Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, SegmentElements elements = {},
-                          std::size_t limit = kMaxListedFaults, const MeshNumbers &numbers = {}, bool innerTags = true);
+                          std::size_t limit = kMaxListedFaults, const MeshNumbers &numbers = {}, bool innerTags = true,
+                          std::span<const std::int32_t> cracks = {});
 
 } // namespace forefront

@@ -3,6 +3,7 @@
 #include "core/engine/domain/curve_chains.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/geometry/polygon.hpp"
+#include "core/engine/mesh/cracks.hpp"
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/mesh/verify_discrete.hpp"
@@ -400,14 +401,19 @@ Diagnostics deviations(const MeshView &mesh, const Domain &domain, std::size_t l
 } // namespace
 
 Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, SegmentElements elements, std::size_t limit,
-                          const MeshNumbers &numbers, bool innerTags) {
+                          const MeshNumbers &numbers, bool innerTags, std::span<const std::int32_t> cracks) {
     return orOutOfMemory("to check the mesh", [&] {
         Diagnostics own = verify(mesh, limit, numbers);
         if (hasErrors(own)) {
             return own;
         }
         std::optional<Mesh> copy;
-        Diagnostics found = deviations(turnedRight(mesh, copy), domain, limit, numbers, innerTags, elements);
+        const MeshView right = turnedRight(mesh, copy);
+        Diagnostics found = cracks.empty() ? Diagnostics() : verifyCracks(right, cracks, numbers);
+        if (found.empty()) {
+            const Mesh whole = cracks.empty() ? Mesh() : closeCracks(right, cracks).mesh;
+            found = deviations(cracks.empty() ? right : MeshView(whole), domain, limit, numbers, innerTags, elements);
+        }
         found.insert(found.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
         return found;
     });

@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/mapped_spec.hpp"
 #include "core/engine/domain/periodic.hpp"
 #include "core/engine/grid/grid_kind.hpp"
 #include "core/engine/improve/improve_level.hpp"
@@ -92,6 +93,8 @@ struct MeshingJob {
     std::shared_ptr<SharedSpacing> shared{}; ///< where others need the field of this job, too; null: nobody does
     std::vector<LayerSpec> layers{};         ///< boundary layers, at most one specification for each boundary tag
     std::vector<PeriodicSpec> periodic{};    ///< parts that are divided alike; each part belongs to one pair at most
+    std::vector<std::int32_t> cracks{};      ///< tags of inner lines that are cracks; see openCracks()
+    std::vector<MappedSpec> mapped{};        ///< faces filled by rows of elements
 
     /// Returns the number of threads that may work on this job: one if its size function must not be called from
     /// others.

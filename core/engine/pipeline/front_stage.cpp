@@ -1,5 +1,6 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/free_memory.hpp"
+#include "core/engine/mapped/mapped_rows.hpp"
 #include "core/engine/mesher/mesher.hpp"
 #include "core/engine/pipeline/stages.hpp"
 
@@ -48,6 +49,10 @@ Status advanceToEnd(Mesher &mesher, const PreparedJob &prepared, const MeshingOp
 
 Status frontStage(MeshingState &state, const Progress &progress) {
     const PreparedJob &prepared = state.prepared;
+    if (prepared.frontBoundary()->segments.empty()) { // mapped faces fill the domain
+        state.triangles = nodesOf(*prepared.frontBoundary());
+        return {};
+    }
     const unsigned threads = state.job.usableThreads();
     std::unique_ptr<Mesher> mesher = Mesher::create(prepared.frontBoundary(), prepared.spacing, state.job.options);
     mesher->reserve(static_cast<std::uint64_t>(Mesher::kReserve * prepared.estimatedElements) + 1024);

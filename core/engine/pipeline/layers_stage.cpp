@@ -22,8 +22,9 @@ Status layersStage(MeshingState &state, const Progress &progress) {
     }
     PreparedJob &prepared = state.prepared;
     const double gradation = std::min(job.spacing.gradation.value_or(kGrowthFromTops), kGrowthFromTops);
+    const auto limit = static_cast<double>(std::isinf(state.budget) ? limitOf(job.options) : kMaxElements);
     Result<BuiltLayers> built =
-        buildLayers({job.domain, job.layers, job.spacing.placed.counts(), job.options.keepBoundary, gradation},
+        buildLayers({job.domain, job.layers, job.spacing.placed.counts(), job.options.keepBoundary, gradation, limit},
                     prepared.boundary, prepared.spacing, progress);
     if (!built) {
         return built.faults();
@@ -32,7 +33,6 @@ Status layersStage(MeshingState &state, const Progress &progress) {
     prepared.boundary = std::move(built->boundary);
     prepared.spacing = std::move(built->spacing);
     prepared.estimatedElements = prepared.boundary->estimatedElements;
-    const auto limit = static_cast<double>(std::isinf(state.budget) ? limitOf(job.options) : kMaxElements);
     if (!(prepared.estimatedElements <= limit)) {
         return tooManyElements("the boundary layers and the node spacing need about " +
                                    numberText(prepared.estimatedElements, 3) + " elements",

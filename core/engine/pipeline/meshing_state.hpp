@@ -3,6 +3,7 @@
 #include "core/engine/domain/domain_graph.hpp"
 #include "core/engine/domain/periodic_sides.hpp"
 #include "core/engine/improve/improve.hpp"
+#include "core/engine/mesh/cracks.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesher/options.hpp"
@@ -30,6 +31,7 @@ struct MeshingState {
     LeastAngleReport leastAngle{};
     QuadReport quadReport{};
     SecondOrderReport secondOrder{};
+    CrackReport cracks{};
     Mesh mesh{}; ///< the result, once the last stage has run
 };
 

@@ -52,6 +52,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.leastAngle = std::move(state.leastAngle);
     outcome.quads = state.quadReport;
     outcome.order = std::move(state.secondOrder);
+    outcome.cracks = std::move(state.cracks);
     outcome.mesh = std::move(state.mesh);
     return outcome;
 }

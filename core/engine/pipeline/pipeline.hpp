@@ -6,6 +6,7 @@
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/improve/improve.hpp"
 #include "core/engine/layers/boundary_layers.hpp"
+#include "core/engine/mesh/cracks.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesher/options.hpp"
@@ -54,6 +55,7 @@ struct MeshingOutcome {
     QuadReport quads;            ///< of a mesh of quadrilaterals
     SecondOrderReport order;     ///< of a mesh of second order
     LayerReport layers;          ///< of a mesh with boundary layers
+    CrackReport cracks;          ///< of a mesh with cracks
     double secondsMesh = 0.0;    ///< CPU time: the front, from discretised boundary to Γ = ∅
     double secondsImprove = 0.0; ///< CPU time of the improvement
     double secondsWall = 0.0;    ///< wall clock time of both; less than their sum where threads share the work

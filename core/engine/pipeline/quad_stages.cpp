@@ -1,4 +1,5 @@
 #include "core/engine/base/cancelled.hpp"
+#include "core/engine/mapped/mapped_rows.hpp"
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/quads/quad_mesh.hpp"
 
@@ -26,11 +27,19 @@ std::vector<std::uint32_t> countsWithPeriodic(const MeshingJob &job, const Discr
     return counts;
 }
 
+/// Returns true if mapped faces fill the domain, so that nothing is left to the front.
+bool isFilled(const PreparedJob &prepared) {
+    return prepared.frontBoundary()->segments.empty();
+}
+
 } // namespace
 
 Status quadFrontStage(MeshingState &state, const Progress &progress) {
     const MeshingOptions &options = state.job.options;
     PreparedJob &prepared = state.prepared;
+    if (isFilled(prepared)) {
+        return {};
+    }
     progress("making the boundary even", 0.0);
     // The edges of layers must stay; the front has a triangle where that leaves an odd number.
     const bool divide = !options.keepBoundary && options.elements == Elements::Quads && !prepared.layers;
@@ -49,11 +58,18 @@ Status quadFrontStage(MeshingState &state, const Progress &progress) {
 }
 
 Status quadCleanupStage(MeshingState &state, const Progress &progress) {
+    if (isFilled(state.prepared)) {
+        return {};
+    }
     cleanUp(state.quads, *state.prepared.spacing, state.job.options, progress);
     return {};
 }
 
 Status quadBlocksStage(MeshingState &state, const Progress &) {
+    if (isFilled(state.prepared)) {
+        state.mesh = Mesh(nodesOf(*state.prepared.frontBoundary()));
+        return {};
+    }
     state.mesh = toMesh(std::move(state.quads), *state.prepared.frontBoundary(), state.quadReport);
     return {};
 }

@@ -10,7 +10,8 @@ namespace forefront {
 std::span<const Stage> stagesBeforeFront() {
     static constexpr std::array kStages = {
         Stage{StageTime::Prepare, validateStage}, Stage{StageTime::Prepare, spacingStage},
-        Stage{StageTime::Prepare, boundaryStage}, Stage{StageTime::Prepare, layersStage}};
+        Stage{StageTime::Prepare, boundaryStage}, Stage{StageTime::Prepare, mappedStage},
+        Stage{StageTime::Prepare, layersStage}};
     return kStages;
 }
 
@@ -55,6 +56,7 @@ std::span<const Stage> stagesAfterFront() {
                                            Stage{StageTime::Mesh, joinStage},
                                            Stage{StageTime::Mesh, orderStage, raisesOrder},
                                            Stage{StageTime::Mesh, periodicStage},
+                                           Stage{StageTime::Mesh, cracksStage},
                                            Stage{StageTime::Improve, verifyStage, verifies}};
     return kStages;
 }

@@ -26,6 +26,9 @@ Status validateStage(MeshingState &state, const Progress &progress);
 Status spacingStage(MeshingState &state, const Progress &progress);
 /// Discretises the boundary and estimates the number of elements. Sets the rest of `prepared`.
 Status boundaryStage(MeshingState &state, const Progress &progress);
+/// Fills the mapped faces of the job. Sets `prepared.layers`; may replace `prepared.boundary`. Errors: those of
+/// findMappedFaces(), equalNumbers() and mappedRows(), "too-many-elements".
+Status mappedStage(MeshingState &state, const Progress &progress);
 /// Builds the boundary layers that the job asks for. Sets `prepared.layers`; replaces `prepared.boundary` and
 /// `prepared.spacing`.
 Status layersStage(MeshingState &state, const Progress &progress);
@@ -48,6 +51,8 @@ Status blocksStage(MeshingState &state, const Progress &progress);
 Status joinStage(MeshingState &state, const Progress &progress);
 /// Adds nodes in the middles of edges. Changes `mesh` to one of second order; sets `secondOrder`.
 Status orderStage(MeshingState &state, const Progress &progress);
+/// Opens the cracks of the job in `mesh`. Sets `cracks`. Errors: those of openCracks().
+Status cracksStage(MeshingState &state, const Progress &progress);
 /// Gives `mesh` the periodic links of the boundary, and pairs their nodes. Faults: those of verifyPeriodic().
 Status periodicStage(MeshingState &state, const Progress &progress);
 /// Checks the mesh of blocks against the domain. Faults: those of verifyAgainst().

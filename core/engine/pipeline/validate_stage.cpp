@@ -1,4 +1,5 @@
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/domain/crack_lines.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/refine/least_angle.hpp"
@@ -30,6 +31,22 @@ Status validateLeastAngle(const MeshingJob &job) {
     return {};
 }
 
+/// Refuses mapped faces together with what would divide their sides on one side alone.
+Status validateMapped(const MeshingJob &job) {
+    if (job.mapped.empty()) {
+        return {};
+    }
+    if (!job.layers.empty()) {
+        return error("mapped-layers", "boundary layers cannot be had beside mapped faces",
+                     "leave out the boundary layers, or the mapped faces");
+    }
+    if (job.options.leastAngle) {
+        return error("least-angle", "a least angle cannot be had beside mapped faces, whose rows stay",
+                     "leave out the least angle, or the mapped faces");
+    }
+    return {};
+}
+
 /// Ties the segments of periodic parts. A least angle and boundary layers add nodes to the boundary afterwards, on one
 /// side alone.
 Status findPeriodic(MeshingState &state) {
@@ -57,6 +74,9 @@ Status validateStage(MeshingState &state, const Progress &progress) {
     if (Status faults = validateLeastAngle(state.job); !faults.empty()) {
         return faults;
     }
+    if (Status faults = validateMapped(state.job); !faults.empty()) {
+        return faults;
+    }
     Diagnostics faults = validate(state.job.domain, kMaxListedFaults, &state.faces);
     if (!hasErrors(faults)) {
         Diagnostics ofLayers = checkLayers(state.job.layers, state.job.domain);
@@ -65,6 +85,10 @@ Status validateStage(MeshingState &state, const Progress &progress) {
     if (!hasErrors(faults) && !state.job.periodic.empty()) {
         Status ofPeriodic = findPeriodic(state);
         faults.insert(faults.end(), ofPeriodic.begin(), ofPeriodic.end());
+    }
+    if (!hasErrors(faults) && !state.job.cracks.empty()) {
+        Status ofCracks = checkCrackLines(state.job.cracks, state.job.periodic, state.job.domain, state.faces);
+        faults.insert(faults.end(), ofCracks.begin(), ofCracks.end());
     }
     return faults;
 }

@@ -31,8 +31,11 @@ class TriangleWalk {
   private:
     /// Finds the shortest way to another triangle, breadth first.
     bool findPath(std::uint32_t triangle) {
-        std::fill(from_.begin(), from_.end(), kNoIndex);
-        std::vector<std::uint32_t> queue{triangle};
+        for (const std::uint32_t cell : seen_) { // not all of them: most searches are short
+            from_[cell] = kNoIndex;
+        }
+        seen_.assign(1, triangle);
+        std::vector<std::uint32_t> &queue = seen_;
         from_[triangle] = triangle;
         for (std::size_t i = 0; i < queue.size(); ++i) {
             const QuadCell cell = mesh_.cells[queue[i]];
@@ -42,6 +45,7 @@ class TriangleWalk {
                     continue;
                 }
                 from_[other] = queue[i];
+                queue.push_back(other);
                 if (isTriangle(mesh_.cells[other])) {
                     path_.assign(1, other);
                     while (path_.back() != triangle) {
@@ -50,7 +54,6 @@ class TriangleWalk {
                     std::reverse(path_.begin(), path_.end());
                     return true;
                 }
-                queue.push_back(other);
             }
         }
         return false;
@@ -124,6 +127,7 @@ class TriangleWalk {
 
     QuadWorkspace &mesh_;
     std::vector<std::uint32_t> from_; ///< per element: the one before it on the way
+    std::vector<std::uint32_t> seen_; ///< elements of the last search, in its order
     std::vector<std::uint32_t> path_;
 };
 

@@ -3,7 +3,11 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/length_unit.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/periodic.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
+
+#include <cstdint>
+#include <vector>
 
 namespace FOREFRONT_API forefront {
 
@@ -12,7 +16,9 @@ namespace FOREFRONT_API forefront {
 struct DomainFile {
     Domain domain;
     SpacingSpec spacing;
-    LengthUnit unit = LengthUnit::None; ///< of the coordinates, if the file names one
+    LengthUnit unit = LengthUnit::None;   ///< of the coordinates, if the file names one
+    std::vector<std::int32_t> cracks{};   ///< tags of inner lines that are cracks; see MeshingJob::cracks
+    std::vector<PeriodicSpec> periodic{}; ///< parts that are divided alike; see MeshingJob::periodic
 };
 
 } // namespace forefront

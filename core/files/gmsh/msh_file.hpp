@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/mesh/periodic_pairs.hpp"
 #include "core/files/common/planar_mesh.hpp"
 #include "core/files/gmsh/msh_groups.hpp"
 #include "core/files/text/byte_scanner.hpp"
@@ -67,6 +68,13 @@ class MshFile {
     /// Finds an element by its number; false if there is none.
     bool findElement(std::int64_t number, std::size_t &element);
     bool readComments();
+    /// Reads the pairs of nodes of periodic entities.
+    bool readPeriodic();
+    bool readPeriodicEntity();
+    bool readPeriodicBinary();
+    bool addPair(std::int64_t second, std::int64_t first, std::size_t place);
+    /// Gives the mesh the periodic links that the pairs of nodes of its boundary parts show.
+    void findPeriodic(Mesh &mesh);
     bool skipSection(std::string_view name);
 
     bool readNodes2(bool parametric);
@@ -138,6 +146,7 @@ class MshFile {
     std::vector<std::int64_t> elementNumbers_;                      ///< of the elements, in the order of the file
     std::map<std::pair<int, std::int64_t>, MshPiece> pieces_;       ///< of a partitioned mesh, by dimension and number
     std::vector<std::int32_t> elementPartitions_; ///< of the elements, in the order of the file; 0: none
+    std::vector<std::vector<NodePair>> periodic_; ///< of curves; each by nodes of the mesh
     std::size_t interfaceParts_ = 0;              ///< lines and points between partitions
 };
 

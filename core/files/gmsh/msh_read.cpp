@@ -75,6 +75,7 @@ bool MshFile::read() {
 Mesh MshFile::takeMesh() {
     Mesh mesh = builder_.finish();
     restoreTags(origins_, mesh);
+    findPeriodic(mesh);
     return mesh;
 }
 
@@ -102,6 +103,8 @@ bool MshFile::readSection(std::string_view name) {
         done = readData(true);
     } else if (name == "ElementData" && elementsRead_) {
         done = readData(false);
+    } else if (name == "Periodic" && nodesRead_) {
+        done = readPeriodic();
     } else if (name == "Comments") {
         return readComments();
     } else {

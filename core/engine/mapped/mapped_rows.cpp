@@ -1,0 +1,221 @@
+#include "core/engine/mapped/mapped_rows.hpp"
+
+#include "core/engine/base/ids.hpp"
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/geometry/polygon.hpp"
+#include "core/engine/geometry/predicates.hpp"
+#include "core/engine/mapped/node_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+/// The edges around a mapped face, counter-clockwise.
+struct RowOutline {
+    std::vector<std::uint32_t> nodes; ///< from the first corner on
+    std::vector<std::size_t> corners; ///< places of the corners in `nodes`, then the number of nodes
+};
+
+/// Returns the outlines of faces as the boundary divides them.
+class RowOutlines {
+  public:
+    RowOutlines(const Domain &domain, std::span<const MappedFace> faces, const DiscreteDomain &boundary)
+        : domain_(domain), boundary_(boundary) {
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+            faceOf_[faces[f].region] = f;
+        }
+        next_.resize(faces.size());
+        for (const DiscreteSegment &s : boundary.segments) {
+            if (const auto left = faceOf_.find(s.leftRegion); left != faceOf_.end()) {
+                next_[left->second][s.a] = s.b;
+            }
+            if (const auto right = faceOf_.find(s.rightRegion); right != faceOf_.end()) {
+                next_[right->second][s.b] = s.a;
+            }
+        }
+    }
+
+    bool isMapped(std::uint32_t region) const { return faceOf_.contains(region); }
+
+    RowOutline of(std::size_t f, const MappedFace &face) const {
+        RowOutline outline;
+        const std::map<std::uint32_t, std::uint32_t> &next = next_[f];
+        const Vec2 first = domain_.nodes[face.corners.front()];
+        std::uint32_t node = std::find_if(next.begin(), next.end(), [&](const auto &step) {
+                                 return boundary_.nodes[step.first] == first;
+                             })->first;
+        do {
+            const std::size_t corner = outline.corners.size();
+            if (corner < face.corners.size() && boundary_.nodes[node] == domain_.nodes[face.corners[corner]]) {
+                outline.corners.push_back(outline.nodes.size());
+            }
+            outline.nodes.push_back(node);
+            node = next.at(node);
+        } while (node != outline.nodes.front());
+        outline.corners.push_back(outline.nodes.size());
+        return outline;
+    }
+
+  private:
+    const Domain &domain_;
+    const DiscreteDomain &boundary_;
+    std::map<std::uint32_t, std::size_t> faceOf_;              ///< by region
+    std::vector<std::map<std::uint32_t, std::uint32_t>> next_; ///< per face: the next node around it
+};
+
+/// Fills faces one after the other.
+class RowBuilder {
+  public:
+    RowBuilder(const DiscreteDomain &boundary, BoundaryLayers &rows, bool quads)
+        : boundary_(boundary), rows_(rows), quads_(quads) {}
+
+    Status fill(const MappedFace &face, const RowOutline &outline) {
+        const auto count = [&](std::size_t k) { return outline.corners[k + 1] - outline.corners[k]; };
+        const std::size_t across = count(1), along = count(0), sides = face.corners.size();
+        if (count(0) != count(2) || (sides == 4 && count(1) != count(3))) {
+            return fault("mapped-sides", "opposite sides of a mapped face have different numbers of edges",
+                         "give them equal numbers of elements", at(outline.nodes.front()));
+        }
+        ids_.assign((along + 1) * (across + 1), kNoIndex);
+        NodeGrid grid(along, across);
+        columns_ = across + 1;
+        const auto around = [&](std::size_t k) { return outline.nodes[k % outline.nodes.size()]; };
+        const auto set = [&](std::size_t i, std::size_t j, std::uint32_t node) {
+            ids_[i * columns_ + j] = node;
+            grid.at(i, j) = at(node);
+        };
+        for (std::size_t j = 0; j <= across; ++j) {
+            set(0, j, sides == 3 ? around(0) : around(outline.nodes.size() - j));
+            set(along, j, around(along + j));
+        }
+        for (std::size_t i = 0; i <= along; ++i) {
+            set(i, 0, around(i));
+            set(i, across, around(outline.corners[2] + along - i));
+        }
+        grid.interpolate();
+        if (grid.invertedCell(!quads_) && !grid.smoothUntilValid(!quads_)) {
+            return fault("mapped-inverted", "an element of a mapped face would be inverted",
+                         "choose other corners, or divide the face into parts with less bent sides",
+                         grid.cellCentre(*grid.invertedCell(!quads_)));
+        }
+        addNodes(grid);
+        addCells(grid, face.region);
+        return {};
+    }
+
+  private:
+    static Diagnostics fault(const char *code, const char *what, const char *advice, Vec2 where) {
+        Diagnostics faults = error(code, what, advice);
+        faults.front().at = where;
+        return faults;
+    }
+    Vec2 at(std::uint32_t node) const { return boundary_.nodes[node]; }
+
+    void addNodes(const NodeGrid &grid) {
+        for (std::size_t i = 1; i < grid.along(); ++i) {
+            for (std::size_t j = 1; j < grid.across(); ++j) {
+                ids_[i * columns_ + j] = static_cast<std::uint32_t>(boundary_.nodes.size() + rows_.inner.size());
+                rows_.inner.push_back(grid.at(i, j));
+            }
+        }
+    }
+    void addCells(const NodeGrid &grid, std::uint32_t region) {
+        const auto id = [&](std::size_t i, std::size_t j) { return ids_[i * columns_ + j]; };
+        for (std::size_t i = 0; i < grid.along(); ++i) {
+            for (std::size_t j = 0; j < grid.across(); ++j) {
+                const std::uint32_t a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
+                if (a == d) {
+                    rows_.cells.push_back({{a, b, c, kNoIndex}, region});
+                } else if (quads_) {
+                    rows_.cells.push_back({{a, b, c, d}, region});
+                } else if (grid.firstDiagonal(i, j)) {
+                    rows_.cells.push_back({{a, b, c, kNoIndex}, region});
+                    rows_.cells.push_back({{a, c, d, kNoIndex}, region});
+                } else {
+                    rows_.cells.push_back({{a, b, d, kNoIndex}, region});
+                    rows_.cells.push_back({{b, c, d, kNoIndex}, region});
+                }
+            }
+        }
+    }
+
+    const DiscreteDomain &boundary_;
+    BoundaryLayers &rows_;
+    bool quads_;
+    std::size_t columns_ = 0;
+    std::vector<std::uint32_t> ids_; ///< nodes of the grid of the face
+};
+
+/// Returns what mapped faces leave of a boundary. Points without a tag that lie in them are left out.
+DiscreteDomain withoutFaces(const DiscreteDomain &boundary, const RowOutlines &outlines,
+                            std::span<const RowOutline> faces) {
+    DiscreteDomain rest = boundary;
+    rest.segments.clear();
+    rest.stretches.clear();
+    for (std::size_t i = 0; i < boundary.segments.size(); ++i) {
+        DiscreteSegment s = boundary.segments[i];
+        s.leftRegion = outlines.isMapped(s.leftRegion) ? kOutside : s.leftRegion;
+        s.rightRegion = outlines.isMapped(s.rightRegion) ? kOutside : s.rightRegion;
+        if (s.leftRegion == kOutside && s.rightRegion == kOutside) {
+            continue;
+        }
+        rest.segments.push_back(s);
+        if (!boundary.stretches.empty()) {
+            rest.stretches.push_back(boundary.stretches[i]);
+        }
+    }
+    std::vector<std::vector<Vec2>> polygons;
+    for (const RowOutline &outline : faces) {
+        std::vector<Vec2> &polygon = polygons.emplace_back();
+        for (const std::uint32_t node : outline.nodes) {
+            polygon.push_back(boundary.nodes[node]);
+        }
+    }
+    const std::size_t tagged = boundary.taggedPoints().size();
+    rest.points.assign(boundary.taggedPoints().begin(), boundary.taggedPoints().end());
+    for (std::size_t k = tagged; k < boundary.points.size(); ++k) {
+        const Vec2 p = boundary.nodes[boundary.points[k].node];
+        if (std::none_of(polygons.begin(), polygons.end(),
+                         [p](const auto &polygon) { return locate(polygon, p) != PointPlace::Outside; })) {
+            rest.points.push_back(boundary.points[k]);
+        }
+    }
+    rest.gradedNodes = rest.points.size() - tagged;
+    return rest;
+}
+
+} // namespace
+
+TriMesh nodesOf(const DiscreteDomain &boundary) {
+    TriMesh mesh;
+    mesh.nodes = boundary.nodes;
+    mesh.curves = boundary.curves;
+    mesh.boundaryNames = boundary.boundaryNames;
+    mesh.regionNames = boundary.regionNames;
+    return mesh;
+}
+
+Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const MappedFace> faces,
+                                  const DiscreteDomain &boundary, bool quads) {
+    BoundaryLayers rows;
+    const RowOutlines outlines(domain, faces, boundary);
+    RowBuilder builder(boundary, rows, quads);
+    std::vector<RowOutline> around;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        around.push_back(outlines.of(f, faces[f]));
+        if (Status faults = builder.fill(faces[f], around.back()); !faults.empty()) {
+            return faults;
+        }
+    }
+    rows.outer = std::make_shared<const DiscreteDomain>(withoutFaces(boundary, outlines, around));
+    return rows;
+}
+
+} // namespace forefront

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/engine/base/result.hpp"
+#include "core/engine/layers/boundary_layers.hpp"
+#include "core/engine/mapped/mapped_faces.hpp"
+
+#include <span>
+
+namespace forefront {
+
+/// Fills mapped faces by rows of elements, and returns them with what they leave to the front, like boundary layers.
+///
+/// The nodes inside a face lie where transfinite interpolation of its sides puts them, at the fractions of the lengths
+/// of opposite sides (W. J. Gordon, C. A. Hall, "Construction of curvilinear co-ordinate systems and applications to
+/// mesh generation", Int. J. Numer. Meth. Engng 7, 1973). Where an element would be inverted, they are moved to a
+/// solution of Winslow's equations (A. M. Winslow, J. Comput. Phys. 1, 1966). With 3 corners, the first row consists of
+/// triangles about the first corner. `quads`: quadrilaterals; else each is divided into two triangles by the diagonal
+/// with the larger least angle.
+///
+/// `boundary`: discretised with equal numbers of edges on opposite sides. Errors: mapped-sides (the numbers differ),
+/// mapped-inverted (an element is inverted, with its place), too-many-nodes.
+Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const MappedFace> faces,
+                                  const DiscreteDomain &boundary, bool quads);
+
+/// Returns a mesh without elements that has the nodes, curves and names of a boundary.
+TriMesh nodesOf(const DiscreteDomain &boundary);
+
+} // namespace forefront
