@@ -104,6 +104,8 @@ TEST_CASE("withDistinctTags: equal names share a tag, other parts get free ones,
     there.elementCounts[4] = {.count = 8};
     there.periodic = {{3, 4}};
     there.layers.push_back({.tag = 4});
+    there.cracks = {4};
+    there.mapped = {{.region = 3}};
     there.formulas[{NumberOwner::ofPart(4), Quantity::Elements}] = "n";
     there = *addRegionMarker(there, {{20.5, 0.5}, 3});
     there = *setRegionName(there, 3, "lake");
@@ -116,6 +118,8 @@ TEST_CASE("withDistinctTags: equal names share a tag, other parts get free ones,
     CHECK(other.elementCounts.contains(5));
     CHECK(other.periodic == std::vector<PeriodicSpec>{{3, 5}});
     CHECK(other.layers.front().tag == 5);
+    CHECK(other.cracks == std::vector<std::int32_t>{5});
+    CHECK(other.mapped.front().region == 4);
     CHECK(other.formulas.contains({NumberOwner::ofPart(5), Quantity::Elements}));
     CHECK(other.regionMarkers.front().tag == 4);
     CHECK(other.regionNames == std::map<std::int32_t, std::string>{{4, "lake"}});

@@ -73,9 +73,6 @@ std::int32_t freeBoundaryTag(const Document &document) {
     for (const std::int32_t tag : document.cracks) {
         last = std::max(last, tag);
     }
-    for (const std::int32_t tag : document.cracks) {
-        last = std::max(last, tag);
-    }
     return last < std::numeric_limits<std::int32_t>::max() ? last + 1 : last;
 }
 
