@@ -121,8 +121,15 @@ Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainF
                        : outline.faults();
     }
     Result<DomainFile> file = allFormats().readDomain(domainFile.path, domainFile.options, &notes);
-    return file ? Result<MeshingJob>(MeshingJob{std::move(file->domain), std::move(file->spacing), arguments.options()})
-                : file.faults();
+    if (!file) {
+        return file.faults();
+    }
+    const Diagnostics remarks = namePartsOf(arguments.drawing, domainFile, arguments.quiet, file->domain);
+    if (hasErrors(remarks)) {
+        return remarks;
+    }
+    printFaults(remarks);
+    return MeshingJob{std::move(file->domain), std::move(file->spacing), arguments.options()};
 }
 
 /// Makes one new mesh, on which a solver must compute the field.

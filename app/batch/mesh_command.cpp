@@ -3,6 +3,7 @@
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/estimate_report.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/fix_option.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_arguments.hpp"
@@ -44,6 +45,7 @@ struct ReadJob {
     Box2 box;                                 ///< of the domain
     std::optional<BackgroundPicture> picture; ///< of a project
     MeshLimits limits;                        ///< of a project
+    MapSystem system = {};                    ///< of the coordinates of a map
 };
 
 /// Reads the domain of any file with its element sizes, and also options if the file is a project.
@@ -220,6 +222,33 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
     return {};
 }
 
+/// Prints notes; returns none.
+Diagnostics printed(const Diagnostics &notes) {
+    printFaults(notes);
+    return {};
+}
+
+/// Returns the limits of a project with those of the command line in their place where both are given.
+MeshLimits allLimits(MeshLimits limits, const MeshLimits &given) {
+    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+        limits[limit] = given[limit] ? given[limit] : limits[limit];
+    }
+    return limits;
+}
+
+/// Meshes a job within its limits, and leaves the changed job. Prints the remarks.
+Result<MeshingOutcome> fixedMesh(const MeshLimits &limits, const Progress &progress, bool quiet, MeshingJob &job) {
+    Result<FixedMesh> fixed = meshWithinLimits(job, limits, progress);
+    if (!fixed) {
+        return fixed.faults();
+    }
+    if (!quiet) {
+        printFaults(fixed->remarks);
+    }
+    job = std::move(fixed->job);
+    return std::move(fixed->outcome);
+}
+
 /// Scales the sizes of a job until its mesh has a number of elements. Returns the errors or, if there are none, a
 /// warning if limits hold the sizes.
 Diagnostics scaleToTarget(std::uint64_t target, MeshingJob &job, const Progress &progress) {
@@ -239,8 +268,8 @@ Diagnostics scaleToTarget(std::uint64_t target, MeshingJob &job, const Progress 
 
 /// Writes the meshes and the statistics, all of them or none. Returns the errors or, if there are none, notes on what
 /// the formats changed.
-Diagnostics writeResults(const MeshArguments &arguments, const Mesh &outcome, const RunReport &report,
-                         const Progress &progress) {
+Diagnostics writeResults(const MeshArguments &arguments, const Mesh &outcome, const MapSystem &system,
+                         const RunReport &report, const Progress &progress) {
     MeshView mesh(outcome);
     std::vector<double> elevations;
     if (arguments.form.elevation) {
@@ -252,9 +281,10 @@ Diagnostics writeResults(const MeshArguments &arguments, const Mesh &outcome, co
         elevations = std::move(*read);
         mesh.elevations = elevations;
     }
+    MeshForm form = arguments.form;
+    form.system = system;
     FileSet files;
-    Diagnostics notes =
-        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.form, progress);
+    Diagnostics notes = writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, form, progress);
     if (hasErrors(notes)) {
         return notes;
     }
@@ -306,6 +336,7 @@ Result<ReadJob> readFiles(const MeshArguments &arguments, const MeshFiles &files
     if (!read) {
         return read;
     }
+    read->system = notes.contents().system;
     printNotes(notes, arguments.quiet);
     const Diagnostics faults =
         bar.during("reading", [&] { return applySpacing(arguments, files.spacing, *read, spacingNotes); });
@@ -340,6 +371,10 @@ int runMesh(const MeshArguments &arguments) {
         faults = repairDomain(arguments, input, progress, *job, repaired);
     }
     if (faults.empty()) {
+        faults = namePartsOf(arguments.drawing, input, arguments.quiet, job->domain);
+        faults = hasErrors(faults) ? faults : printed(faults);
+    }
+    if (faults.empty()) {
         faults = applyOptions(arguments, job->options);
     }
     if (faults.empty()) {
@@ -354,6 +389,7 @@ int runMesh(const MeshArguments &arguments) {
     if (!faults.empty()) {
         return refuse(faults, interrupt);
     }
+    const MeshLimits limits = allLimits(read->limits, arguments.limits);
 
     const auto refuseRun = [&](const Diagnostics &why) {
         const Diagnostics wrong = meshingFaults(why, job->domain, input, repaired ? &*repaired : nullptr);
@@ -378,7 +414,12 @@ int runMesh(const MeshArguments &arguments) {
                                                         : estimateText(*estimate, job->options));
         return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
     }
-    const Result<MeshingOutcome> outcome = bar.during({}, [&] { return meshDomain(*job, progress); });
+    if (arguments.fix && !limits.any()) {
+        return wrongUsage("forefront mesh", "--fix: there are no limits; add --limit NAME=VALUE");
+    }
+    const Result<MeshingOutcome> outcome = bar.during({}, [&] {
+        return arguments.fix ? fixedMesh(limits, progress, arguments.quiet, *job) : meshDomain(*job, progress);
+    });
     if (!outcome) {
         return refuseRun(outcome.faults());
     }
@@ -386,11 +427,11 @@ int runMesh(const MeshArguments &arguments) {
         printFaults(outcome->spacing->notes());
         printFaults(unusedOptions(arguments, *job, *outcome->spacing));
     }
-    printFaults(violatedLimits(outcome->mesh, read->limits, outcome->spacing.get()));
+    printFaults(violatedLimits(outcome->mesh, limits, outcome->spacing.get()));
     printFaults(largeElements(outcome->mesh, job->domain, job->spacing.placed.regions));
     RunReport report = reportOf(*outcome, job->options);
     report.input = arguments.input.string();
-    faults = bar.during({}, [&] { return writeResults(arguments, outcome->mesh, report, progress); });
+    faults = bar.during({}, [&] { return writeResults(arguments, outcome->mesh, read->system, report, progress); });
     if (hasErrors(faults)) {
         return refuse(faults, interrupt);
     }

@@ -52,6 +52,7 @@ struct MeshForm {
     std::optional<Extrusion> extrusion = {};
     bool keepTags = false;                     ///< see ExportOptions
     std::optional<std::string> elevation = {}; ///< a file or an expression
+    MapSystem system = {};                     ///< of the map that the mesh was made from
 };
 
 /// Writes a mesh to standard output and to files, which get their names when the set is committed. Stops at the first

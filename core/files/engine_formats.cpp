@@ -6,6 +6,7 @@
 #include "core/files/geotiff/geotiff.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/hydro/hydro.hpp"
+#include "core/files/hydro/hydro_formats.hpp"
 #include "core/files/hydro/selafin.hpp"
 #include "core/files/medit/medit.hpp"
 #include "core/files/mfem/mfem.hpp"
@@ -323,28 +324,8 @@ constexpr std::array kFormats = {
            .readFields = readTwoDmFields,
            .writeMesh = writeTwoDm,
            .noteChanges = noteTwoDmChanges},
-    Format{.about = {.id = "adcirc",
-                     .name = "ADCIRC grid",
-                     .extension = ".14",
-                     .writesMesh = true,
-                     .holds = kTriangleGrid,
-                     .hasOpenBoundaries = true,
-                     .holdsElevations = true,
-                     .keeps = "Keeps triangles and the boundary as chains of open parts, land (20) and islands (21), "
-                              "without names. Depths are elevations with the other sign; cannot be read back."},
-           .writeWith = writeAdcirc,
-           .noteChanges = noteDepths},
-    Format{.about = {.id = "gr3",
-                     .name = "SCHISM grid",
-                     .extension = ".gr3",
-                     .writesMesh = true,
-                     .holds = kFirstOrder,
-                     .hasOpenBoundaries = true,
-                     .holdsElevations = true,
-                     .keeps = "Keeps elements and the boundary as chains of open parts, land (0) and islands (1), "
-                              "without names. Depths are elevations with the other sign; cannot be read back."},
-           .writeWith = writeSchism,
-           .noteChanges = noteDepths},
+    kAdcircFormat,
+    kSchismFormat,
     Format{.about = {.id = "selafin",
                      .name = "TELEMAC SELAFIN",
                      .extension = ".slf",
@@ -371,7 +352,7 @@ constexpr std::array kFormats = {
                      .keeps =
                          "Keeps elements as faces, elevations, and the numbers of regions and boundary parts, with "
                          "their names as meanings; points are left out. Cannot be read back."},
-           .writeMesh = writeUgrid,
+           .writeWith = writeUgrid,
            .noteChanges = noteUgridChanges},
     Format{.about = {.id = "mike",
                      .name = "MIKE mesh",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/files/source/map_system.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -30,6 +31,8 @@ struct ExportOptions {
     /// Writes the numbers and names of tags unchanged, also where a region has the number or name of a boundary part;
     /// only formats with FileFormat::tellsTagsApart change them otherwise.
     bool keepTags = false;
+    /// The reference system of the coordinates, for formats that name it: UGRID.
+    MapSystem system = {};
 };
 
 } // namespace forefront
