@@ -6,7 +6,6 @@
 #include "core/files/geotiff/geotiff.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/hydro/hydro.hpp"
-#include "core/files/hydro/hydro_formats.hpp"
 #include "core/files/hydro/selafin.hpp"
 #include "core/files/medit/medit.hpp"
 #include "core/files/mfem/mfem.hpp"
@@ -24,6 +23,7 @@
 #include "core/files/ugrid/ugrid.hpp"
 #include "core/files/unv/unv.hpp"
 #include "core/files/vtk/vtk.hpp"
+#include "core/files/water_formats.hpp"
 #include "core/files/xdmf/xdmf.hpp"
 
 #include <array>
