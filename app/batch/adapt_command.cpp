@@ -131,6 +131,11 @@ Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainF
     if (!file) {
         return file.faults();
     }
+    const Diagnostics remarks = namePartsOf(arguments.drawing, domainFile, arguments.quiet, file->domain);
+    if (hasErrors(remarks)) {
+        return remarks;
+    }
+    printFaults(remarks);
     MeshingJob job{std::move(file->domain), std::move(file->spacing), arguments.options()};
     job.cracks = std::move(file->cracks);
     return job;

@@ -137,7 +137,9 @@ std::vector<TaggedEdge> edgesLikeAnOutline(const MeshView &mesh, const Input &do
 
 /// Returns the differences between a mesh and the domain it was made from.
 Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckArguments &arguments, Input &input) {
-    const std::vector<TaggedEdge> edges = edgesLikeAnOutline(mesh, input);
+    // The parts of grids of water are open, land and islands, not those of the domain.
+    const bool kinds = hasOpenBoundaries(arguments.mesh, arguments.inputFormat);
+    const std::vector<TaggedEdge> edges = kinds ? std::vector<TaggedEdge>() : edgesLikeAnOutline(mesh, input);
     mesh.edges = edges;
     arguments.drawing.applyTo(input.options);
     Result<DomainFile> file = allFormats().readDomain(input.path, input.options);
@@ -157,6 +159,9 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
         addLengths(repaired->domain, 1.0, changes);
         carryElements(domain, *repaired, file->spacing);
         domain = std::move(repaired->domain);
+    }
+    if (Diagnostics wrong = namePartsOf(arguments.drawing, input, true, domain); !wrong.empty()) {
+        return wrong;
     }
     if (Diagnostics unknown = applyCracks(arguments.cracks, domain, file->cracks); !unknown.empty()) {
         return allFormats().locateFaults(input.path, unknown, input.options);
@@ -186,9 +191,9 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
         hint.severity = Severity::Note;
         hint.code = "default-options";
         hint.message = "the domain was read with the default options";
-        hint.advice =
-            "repeat those that the mesh was made with, such as --weld, --overlap, --layer, --name-property, "
-            "--projection, --beyond-page, --drop-lines, --stroke-areas, --shape-regions, --no-white-holes or --repair";
+        hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --layer, --name-property, "
+                      "--projection, --name, --beyond-page, --drop-lines, --stroke-areas, --shape-regions, "
+                      "--no-white-holes or --repair";
         faults.push_back(std::move(hint));
     }
     return faults;

@@ -114,7 +114,7 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
     group
         .add_option("--spacing", expression,
                     "edge length as an expression in x and y, with min, max, sqrt, exp, sin, ... "
-                    "and dist(a,b), the distance to (a, b)")
+                    "and dist(a,b), the distance to (a, b); edges have it on average")
         ->type_name("EXPR");
 }
 
@@ -265,6 +265,7 @@ void DrawingArguments::applyTo(ImportOptions &options) const {
     options.strokeAreas = strokeAreas;
     options.shapeRegions = shapeRegions;
     options.whiteHoles = whiteHoles;
+    options.partNames = partNames;
 }
 
 std::string DrawingArguments::firstGiven() const {
@@ -280,25 +281,32 @@ std::string DrawingArguments::firstGiven() const {
         {dropLines, "--drop-lines"},
         {strokeAreas, "--stroke-areas"},
         {shapeRegions, "--shape-regions"},
-        {whiteHoles.has_value(), whiteHoles.value_or(true) ? "--white-holes" : "--no-white-holes"}};
+        {whiteHoles.has_value(), whiteHoles.value_or(true) ? "--white-holes" : "--no-white-holes"},
+        {!partNames.empty(), "--name"}};
     const auto *const first =
         std::find_if(std::begin(given), std::end(given), [](const auto &one) { return one.first; });
     return first == std::end(given) ? std::string() : first->second;
 }
 
+std::string setProjection(const std::string &word, DrawingArguments &arguments) {
+    if (word == "local") {
+        arguments.degrees = DegreeRule::Local;
+    } else if (word.size() > 5 && lowerCase(word.substr(0, 5)) == "epsg:" &&
+               word.find_first_not_of("0123456789", 5) == std::string::npos) {
+        arguments.projection = "EPSG:" + word.substr(5);
+    } else {
+        return "expected local or a code such as EPSG:3067, got '" + word + "'";
+    }
+    return {};
+}
+
 namespace {
 
 /// Adds the options for maps in longitudes and latitudes.
-void addDegreeOptions(CLI::App &app, DegreeRule &rule, std::string &projection) {
-    const auto take = [&](const std::string &word) {
-        if (word == "local") {
-            rule = DegreeRule::Local;
-        } else if (word.size() > 5 && lowerCase(word.substr(0, 5)) == "epsg:" &&
-                   word.find_first_not_of("0123456789", 5) == std::string::npos) {
-            projection = "EPSG:" + word.substr(5);
-        } else {
-            throw CLI::ValidationError("--projection",
-                                       "expected local or a code such as EPSG:3067, got '" + word + "'");
+void addDegreeOptions(CLI::App &app, DrawingArguments &arguments) {
+    const auto take = [&arguments](const std::string &word) {
+        if (const std::string wrong = setProjection(word, arguments); !wrong.empty()) {
+            throw CLI::ValidationError("--projection", wrong);
         }
     };
     auto *const option =
@@ -310,15 +318,44 @@ void addDegreeOptions(CLI::App &app, DegreeRule &rule, std::string &projection) 
                "forefront-gdal)")
             ->type_name("NAME");
     app.add_flag_callback(
-           "--allow-degrees", [&rule] { rule = DegreeRule::Keep; },
+           "--allow-degrees", [&arguments] { arguments.degrees = DegreeRule::Keep; },
            "take the longitudes and latitudes of a map for coordinates in the plane, without a warning")
         ->excludes(option);
+}
+
+/// Adds --name, which can be repeated.
+void addPartNameOption(CLI::App &app, std::vector<PartName> &parts) {
+    const auto read = [&parts](const std::vector<std::string> &texts) {
+        for (const std::string &text : texts) {
+            const std::size_t colon = std::min(text.rfind(':'), text.size()); // names may hold colons
+            const std::string places = text.substr(std::min(colon + 1, text.size()));
+            const std::size_t between = std::min(places.find(';'), places.size());
+            const std::string second = places.substr(std::min(between + 1, places.size()));
+            const std::vector<double> from = numbersIn(places.substr(0, between), ',', 2);
+            const std::vector<double> to = numbersIn(second, ',', 2);
+            const std::string name = cleanName(text.substr(0, colon));
+            if (name.empty() || from.empty() || to.empty()) {
+                throw CLI::ValidationError(
+                    "--name", "expected NAME:X1,Y1;X2,Y2, such as \"sea:0,0;5,0\" in quotes, got '" + text + '\'');
+            }
+            parts.push_back({name, {from[0], from[1]}, {to[0], to[1]}});
+        }
+    };
+    app.add_option_function<std::vector<std::string>>(
+           "--name", read,
+           "name the part of the boundary from the node nearest to the first place to the node nearest to the second, "
+           "with the domain on the left; the same place twice: the whole loop. Of a map, the places are in its own "
+           "coordinates, longitude first, whatever --projection says. A line of the map on the edge of an area, within "
+           "--weld, also gives its name to that edge. Can be repeated")
+        ->allow_extra_args(false)
+        ->type_name("\"NAME:X1,Y1;X2,Y2\"");
 }
 
 } // namespace
 
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
-    addDegreeOptions(app, arguments.degrees, arguments.projection);
+    addDegreeOptions(app, arguments);
+    addPartNameOption(app, arguments.partNames);
     app.add_option(
            "--weld", arguments.weldTolerance,
            "join nodes and segments closer than this (default: 1e-6 of the diagonal for drawings and maps, less "

@@ -87,15 +87,17 @@ struct DrawingArguments {
     bool strokeAreas = false;
     bool shapeRegions = false;
     std::optional<bool> whiteHoles;
+    std::vector<PartName> partNames; ///< of a map in its coordinates, else in those of the domain
 
     void applyTo(ImportOptions &options) const;
     /// Returns the name of the first option given, such as "--weld"; empty if none is.
     std::string firstGiven() const;
     friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
 };
+/// Sets the projection to "local" or a code such as "EPSG:3067". Returns what is wrong with it; empty if nothing is.
+std::string setProjection(const std::string &word, DrawingArguments &arguments);
 /// Adds the options --weld, --overlap, --layer, --name-property, --size-property, --projection, --allow-degrees,
-/// --beyond-page,
-/// --drop-lines, --stroke-areas and --shape-regions.
+/// --beyond-page, --drop-lines, --stroke-areas, --shape-regions and --name.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 
 /// Adds --config, a file of options, which parseOptions() reads.

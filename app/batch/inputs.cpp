@@ -86,6 +86,10 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
         return std::string(drawing.degrees == DegreeRule::Local ? "--projection" : "--allow-degrees") + ": only " +
                mapNames() + " files have longitudes and latitudes";
     }
+    if (!drawing.partNames.empty() && format->kind == FileKind::Project) {
+        return "--name: a project keeps names of its own; name the segments in the editor, or by the command name of "
+               "'forefront run'";
+    }
     if (drawing.dropLines && !format->arranges) {
         return "--drop-lines: applies only to drawings and maps";
     }
@@ -99,6 +103,18 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
         }
     }
     return {};
+}
+
+Diagnostics namePartsOf(const DrawingArguments &drawing, const Input &input, bool quiet, Domain &domain) {
+    const FileFormat *const format = input.format();
+    if (format != nullptr && format->kind == FileKind::Map) {
+        return {};
+    }
+    Diagnostics remarks = nameParts(drawing.partNames, domain);
+    if (!hasErrors(remarks) && quiet) {
+        return {};
+    }
+    return allFormats().locateFaults(input.path, std::move(remarks), input.options);
 }
 
 Result<Input> openInput(const std::filesystem::path &path, const std::optional<std::string> &formatId) {

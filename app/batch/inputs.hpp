@@ -52,6 +52,10 @@ std::string setParameters(Input &input, const std::map<std::string, std::string>
 /// are not joined; empty if they are valid. `repairs` is true if --repair is given.
 std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &input, bool repairs);
 
+/// Names the parts of --name in the domain of an input, unless its reader did, as those of maps do. Returns the errors
+/// of nameParts() or, if there are none and not `quiet`, its note.
+Diagnostics namePartsOf(const DrawingArguments &drawing, const Input &input, bool quiet, Domain &domain);
+
 /// Returns the ids of the formats that can be read, as --input-format accepts them, separated by commas.
 std::string inputFormatIds();
 

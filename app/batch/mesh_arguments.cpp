@@ -4,6 +4,7 @@
 #include "app/batch/crack_option.hpp"
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/extrude_option.hpp"
+#include "app/batch/fix_option.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/mapped_option.hpp"
 #include "app/batch/open_boundaries.hpp"
@@ -58,6 +59,10 @@ Examples:
         a case of OpenFOAM, one cell thick
   forefront mesh lake.geojson -o lake.14 --elevation depth.asc
         a grid of ADCIRC with the depths of a raster
+  forefront mesh coast.geojson -o fort.14 --projection local --name "sea:24.9,60.1;25.3,60.1" --open sea
+        opens the part of the ring of a map between two places, given as longitude and latitude
+  forefront mesh bay.geojson -o bay.14 --limit max-growth=2 --limit max-valence=8 --fix
+        changes sizes until neighbours have similar areas and no node has more than 8 elements
   forefront mesh lake.geojson plate.poly -o "{}.vtu" --stats "{}.json"
         each file with its own outputs: lake.vtu, lake.json, plate.vtu, plate.json
   forefront mesh lake.geojson --size 0.1 --dry-run
@@ -244,6 +249,7 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     addCrackOption(app, arguments.cracks);
     addMappedOption(app, arguments.mapped);
     addFrontOptions(app, arguments, grid);
+    addFixOptions(app, arguments.limits, arguments.fix);
     addImportOptions(app, arguments);
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")
         ->check(wholeNumberWithin(1, 256))

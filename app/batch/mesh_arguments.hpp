@@ -3,6 +3,7 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/layers_option.hpp"
 #include "app/batch/outputs.hpp"
+#include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/files/source/picture_sizes.hpp"
 
@@ -51,6 +52,8 @@ struct MeshArguments {
     bool verify = false;
     bool repair = false;
     DrawingArguments drawing;
+    MeshLimits limits; ///< besides those of a project
+    bool fix = false;
     bool strict = false;
     std::optional<Method> method;
     std::optional<std::filesystem::path> rules; ///< of the classic method

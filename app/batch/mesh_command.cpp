@@ -4,6 +4,7 @@
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/estimate_report.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/fix_option.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mapped_option.hpp"
@@ -48,6 +49,7 @@ struct ReadJob {
     std::optional<BackgroundPicture> picture; ///< of a project
     MeshLimits limits;                        ///< of a project
     LengthUnit unit = LengthUnit::None;       ///< of the coordinates
+    MapSystem system = {};                    ///< of the coordinates of a map
 };
 
 /// Reads the domain of any file with its element sizes, and also options if the file is a project.
@@ -227,6 +229,33 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
     return {};
 }
 
+/// Prints notes; returns none.
+Diagnostics printed(const Diagnostics &notes) {
+    printFaults(notes);
+    return {};
+}
+
+/// Returns the limits of a project with those of the command line in their place where both are given.
+MeshLimits allLimits(MeshLimits limits, const MeshLimits &given) {
+    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+        limits[limit] = given[limit] ? given[limit] : limits[limit];
+    }
+    return limits;
+}
+
+/// Meshes a job within its limits, and leaves the changed job. Prints the remarks.
+Result<MeshingOutcome> fixedMesh(const MeshLimits &limits, const Progress &progress, bool quiet, MeshingJob &job) {
+    Result<FixedMesh> fixed = meshWithinLimits(job, limits, progress);
+    if (!fixed) {
+        return fixed.faults();
+    }
+    if (!quiet) {
+        printFaults(fixed->remarks);
+    }
+    job = std::move(fixed->job);
+    return std::move(fixed->outcome);
+}
+
 /// Scales the sizes of a job until its mesh has a number of elements. Returns the errors or, if there are none, a
 /// warning if limits hold the sizes.
 Diagnostics scaleToTarget(std::uint64_t target, MeshingJob &job, const Progress &progress) {
@@ -244,10 +273,10 @@ Diagnostics scaleToTarget(std::uint64_t target, MeshingJob &job, const Progress 
     return missedTarget(*sizes, target, job);
 }
 
-/// Writes the meshes and the statistics, all of them or none. Returns the errors or, if there are none, notes on what
-/// the formats changed.
-Diagnostics writeResults(const MeshArguments &arguments, LengthUnit unit, const Mesh &outcome, const RunReport &report,
-                         const Progress &progress) {
+/// Writes the meshes in a form, and the statistics, all of them or none. Returns the errors or, if there are none,
+/// notes on what the formats changed.
+Diagnostics writeResults(const MeshArguments &arguments, const MeshForm &form, const Mesh &outcome,
+                         const RunReport &report, const Progress &progress) {
     MeshView mesh(outcome);
     std::vector<double> elevations;
     if (arguments.form.elevation) {
@@ -260,8 +289,7 @@ Diagnostics writeResults(const MeshArguments &arguments, LengthUnit unit, const 
         mesh.elevations = elevations;
     }
     FileSet files;
-    Diagnostics notes = writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh,
-                                     withUnitOf(unit, arguments.form), progress);
+    Diagnostics notes = writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, form, progress);
     if (hasErrors(notes)) {
         return notes;
     }
@@ -313,6 +341,7 @@ Result<ReadJob> readFiles(const MeshArguments &arguments, const MeshFiles &files
     if (!read) {
         return read;
     }
+    read->system = notes.contents().system;
     printNotes(notes, arguments.quiet);
     const Diagnostics faults =
         bar.during("reading", [&] { return applySpacing(arguments, files.spacing, *read, spacingNotes); });
@@ -347,6 +376,10 @@ int runMesh(const MeshArguments &arguments) {
         faults = repairDomain(arguments, input, progress, *job, repaired);
     }
     if (faults.empty()) {
+        faults = namePartsOf(arguments.drawing, input, arguments.quiet, job->domain);
+        faults = hasErrors(faults) ? faults : printed(faults);
+    }
+    if (faults.empty()) {
         faults = applyOptions(arguments, job->options);
     }
     if (faults.empty()) {
@@ -368,6 +401,7 @@ int runMesh(const MeshArguments &arguments) {
     if (!faults.empty()) {
         return refuse(faults, interrupt);
     }
+    const MeshLimits limits = allLimits(read->limits, arguments.limits);
 
     const auto refuseRun = [&](const Diagnostics &why) {
         const Diagnostics wrong = meshingFaults(why, job->domain, input, repaired ? &*repaired : nullptr);
@@ -392,7 +426,12 @@ int runMesh(const MeshArguments &arguments) {
                                                         : estimateText(*estimate, job->options));
         return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
     }
-    const Result<MeshingOutcome> outcome = bar.during({}, [&] { return meshDomain(*job, progress); });
+    if (arguments.fix && !limits.any()) {
+        return wrongUsage("forefront mesh", "--fix: there are no limits; add --limit NAME=VALUE");
+    }
+    const Result<MeshingOutcome> outcome = bar.during({}, [&] {
+        return arguments.fix ? fixedMesh(limits, progress, arguments.quiet, *job) : meshDomain(*job, progress);
+    });
     if (!outcome) {
         return refuseRun(outcome.faults());
     }
@@ -400,11 +439,13 @@ int runMesh(const MeshArguments &arguments) {
         printFaults(outcome->spacing->notes());
         printFaults(unusedOptions(arguments, *job, *outcome->spacing));
     }
-    printFaults(violatedLimits(outcome->mesh, read->limits, outcome->spacing.get()));
+    printFaults(violatedLimits(outcome->mesh, limits, outcome->spacing.get()));
     printFaults(largeElements(outcome->mesh, job->domain, job->spacing.placed.regions));
     RunReport report = reportOf(*outcome, job->options);
     report.input = arguments.input.string();
-    faults = bar.during({}, [&] { return writeResults(arguments, read->unit, outcome->mesh, report, progress); });
+    MeshForm form = withUnitOf(read->unit, arguments.form);
+    form.system = read->system;
+    faults = bar.during({}, [&] { return writeResults(arguments, form, outcome->mesh, report, progress); });
     if (hasErrors(faults)) {
         return refuse(faults, interrupt);
     }

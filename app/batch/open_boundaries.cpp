@@ -16,7 +16,8 @@ namespace {
 
 using Parts = std::map<std::int32_t, std::string>; ///< names by tag
 
-Diagnostics unknownNames(const std::vector<std::string> &open, const Parts &parts) {
+/// `advice`: how to name a part, with a comma or semicolon before it.
+Diagnostics unknownNames(const std::vector<std::string> &open, const Parts &parts, const std::string &advice) {
     constexpr std::size_t kListed = 20;
     std::vector<std::string> unknown, known;
     for (const std::string &name : open) {
@@ -37,7 +38,7 @@ Diagnostics unknownNames(const std::vector<std::string> &open, const Parts &part
     const std::vector<std::string_view> words(known.begin(), known.end());
     return error("unknown-boundary",
                  "--open: unknown boundary part " + listed(unknown, kListed) + suggestion(unknown.front(), words),
-                 known.empty() ? "the boundary has no parts" : "expected one of " + listed(known, kListed));
+                 known.empty() ? "the boundary has no parts" : "expected one of " + listed(known, kListed) + advice);
 }
 
 } // namespace
@@ -46,7 +47,7 @@ void addOpenOption(CLI::App &app, MeshForm &form) {
     app.add_option(
            "--open", form.open,
            "name of a boundary part through which water flows, for ADCIRC, SCHISM, TELEMAC and MIKE, such as sea or "
-           "boundary_2; all others are land; can be repeated")
+           "boundary_2; all others are land; --name gives names to parts; can be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME");
 }
@@ -73,7 +74,11 @@ Diagnostics checkOpenNames(const MeshForm &form, const Domain &domain) {
             parts.try_emplace(segment.tag, boundaryName(domain.boundaryNames, segment.tag));
         }
     }
-    return unknownNames(form.open, parts);
+    const std::string name = form.open.empty() ? std::string() : form.open.front();
+    return unknownNames(form.open, parts,
+                        "; --name \"" + name +
+                            ":X1,Y1;X2,Y2\" names the part between two places, as a line of a map "
+                            "on its edge does");
 }
 
 Diagnostics checkOpenNames(const MeshForm &form, const MeshView &mesh) {
@@ -87,7 +92,9 @@ Diagnostics checkOpenNames(const MeshForm &form, const MeshView &mesh) {
             parts.try_emplace(mesh.edges[k].tag, boundaryName(mesh.boundaryNames, mesh.edges[k].tag));
         }
     }
-    return unknownNames(form.open, parts);
+    return unknownNames(form.open, parts,
+                        "; the mesh has its names from the file that it was made from, see --name of "
+                        "'forefront mesh'");
 }
 
 ExportOptions exportOptionsOf(const MeshForm &form, const MeshView &mesh) {
@@ -95,6 +102,7 @@ ExportOptions exportOptionsOf(const MeshForm &form, const MeshView &mesh) {
     options.extrusion = form.extrusion;
     options.keepTags = form.keepTags;
     options.unit = form.unit.value_or(LengthUnit::None);
+    options.system = form.system;
     const Parts parts = form.open.empty() ? Parts() : tagsOf(mesh).edges;
     for (const std::string &name : form.open) {
         for (const auto &[tag, given] : parts) {

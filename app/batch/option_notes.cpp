@@ -42,8 +42,8 @@ Diagnostics violatedLimits(const MeshView &mesh, const MeshLimits &limits, const
     }
     for (const LimitVerdict &verdict : checkLimits(mesh, limits, spacing, 1)) {
         if (!verdict.met()) {
-            Diagnostics warning = noteOf("limit", "the mesh violates a limit of the project: " + toString(verdict),
-                                         "forefront check --limits lists the places", Severity::Warning);
+            Diagnostics warning = noteOf("limit", "the mesh violates a limit: " + toString(verdict),
+                                         "forefront check lists the places", Severity::Warning);
             warnings.push_back(std::move(warning.front()));
         }
     }

@@ -34,8 +34,11 @@ void addRasterOptions(CLI::App &app, CLI::App &group, std::vector<std::string> &
         ->type_name("NAME=FILE")
         ->allow_extra_args(false);
     group
-        .add_option("--size-preset", presets,
-                    "edge length by a rule, in place of --spacing; of several the smallest counts: " + sizePresetHelp())
+        .add_option(
+            "--size-preset", presets,
+            "edge length by a rule, in place of --spacing; of several the smallest counts: " + sizePresetHelp() +
+                ". max bounds the size, which edges have on average; single edges are longer, by up to about a "
+                "half")
         ->type_name("RULE:KEY=VALUE,...")
         ->allow_extra_args(false);
 }

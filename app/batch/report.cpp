@@ -8,8 +8,10 @@
 #include "core/files/rules/rules_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
+#include <span>
 
 namespace forefront {
 
@@ -51,6 +53,26 @@ std::string narrowPlaceLines(const SharpCorners &sharp) {
 
 } // namespace
 
+namespace {
+
+void measureEdges(const MeshView &mesh, MeshReport &report) {
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0.0; // squares
+    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
+        const std::span<const NodeId> corners = mesh.cornersOf(e);
+        Vec2 before = mesh.nodes[index(corners.back())];
+        for (const NodeId corner : corners) {
+            const Vec2 here = mesh.nodes[index(corner)];
+            shortest = std::min(shortest, distanceSquared(before, here));
+            longest = std::max(longest, distanceSquared(before, here));
+            before = here;
+        }
+    }
+    report.shortest = mesh.elementCount() > 0 ? std::sqrt(shortest) : 0.0;
+    report.longest = std::sqrt(longest);
+}
+
+} // namespace
+
 MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool valid) {
     MeshReport report;
     report.quality = measureQuality(mesh, spacing);
@@ -61,6 +83,7 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
     }
     report.hash = meshHash(mesh);
     report.hasSpacing = spacing != nullptr;
+    measureEdges(mesh, report);
     return report;
 }
 
@@ -200,6 +223,7 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
         .member("flat_elements", q.flat)
         .member("delta_mean", report.hasSpacing ? q.deltaMean : unknown);
     json.member("delta_area_mean", report.hasSpacing ? q.deltaAreaMean : unknown);
+    json.member("edge_length_min", report.shortest).member("edge_length_max", report.longest);
     json.member("min_angle_deg", q.minAngle).member("max_angle_deg", q.maxAngle);
     json.member("min_angle_elsewhere_deg", report.sharp.minAngleElsewhere);
     addKinds(q, json);

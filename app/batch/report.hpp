@@ -28,7 +28,8 @@ struct MeshReport {
     Box2 bounds;
     SharpCorners sharp; ///< corners of the domain below kSharpCorner; empty for an invalid mesh
     std::uint64_t hash = 0;
-    bool hasSpacing = false; ///< the conformity to a spacing was measured
+    bool hasSpacing = false;              ///< the conformity to a spacing was measured
+    double shortest = 0.0, longest = 0.0; ///< edges, between their corners
 };
 
 /// Statistics of a finished run.

@@ -22,6 +22,11 @@ Result<MeshingJob> readJob(const RunArguments &arguments, const Input &input) {
     }
     printNotes(notes, false);
     MeshingJob job = jobOf(*document);
+    const Diagnostics remarks = namePartsOf(arguments.drawing, input, false, job.domain);
+    if (hasErrors(remarks)) {
+        return remarks;
+    }
+    printFaults(remarks);
     if (arguments.size || arguments.expression) {
         printFaults(replacedSpacing(arguments.size ? "--size" : "--spacing", job.spacing));
     }

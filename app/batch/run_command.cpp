@@ -1,12 +1,15 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
+#include "app/batch/elevation_option.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
+#include "app/batch/script_options.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/project/project.hpp"
@@ -33,19 +36,25 @@ A script is a text of JSON objects, one command each, usually one a line. Paths 
 script, or to the current folder if it is read from standard input.
 
   {"command": "new"}                                             an empty drawing; "project": with this content
-  {"command": "open", "file": "plate.json"}                      a project or any file that the editor opens
+  {"command": "open", "file": "plate.json"}                      a project or any file that the editor opens; of a
+                                                                 map also "projection": "local" or "EPSG:3067",
+                                                                 "layer", "nameProperty", "sizeProperty" and "weld",
+                                                                 as the options of forefront mesh
   {"command": "add", "shapes": [{"kind": "rectangle", "nodes": [[0, 0], [4, 2]]}]}
   {"command": "move", "shapes": [1], "by": [1, 0]}               or "nodes": ["shape/1/node/0"]
   {"command": "constrain", "kind": "length", "parts": ["shape/1/segment/0"], "value": "2*r"}
   {"command": "name", "boundary": 1, "name": "inlet"}            or "shape": 1, "regionMarker": 0, or
-                                                                 "segments": ["shape/1/segment/0"]
+                                                                 "segments": ["shape/1/segment/0"], such as the
+                                                                 open part of a coast
   {"command": "size", "size": 0.5}                               or "expression": "0.1+0.2*x"; "boundary": 1 with it
   {"command": "parameter", "name": "r", "expression": "0.4"}     null removes it
   {"command": "change", "remove": [2], "replace": [...], "members": {"options": {"method": "classic"}}}
   {"command": "undo", "steps": 2}                                and redo
   {"command": "mesh"}                                            with "hash": refused if the mesh has another
   {"command": "check"}                                           verifies the mesh and the limits of the project
-  {"command": "export", "file": "plate.msh"}                     with "format": ID if the extension does not say it
+  {"command": "export", "file": "plate.msh"}                     with "format": ID if the extension does not say it,
+                                                                 "open": ["sea"], the open boundary parts, and
+                                                                 "elevation": a grid, raster or expression
   {"command": "save", "file": "plate.json"}
 
 Shapes and the members of "change" are written as in project files; a shape without "id" gets the next free one.
@@ -103,6 +112,10 @@ class ScriptRun {
             return exportMesh(command);
         case ScriptWord::Save:
             return save(command);
+        case ScriptWord::New:
+            projection_.clear();
+            system_ = {};
+            [[fallthrough]];
         default:
             meshed_.reset();
             return player_.play(command, source_);
@@ -133,13 +146,24 @@ class ScriptRun {
         if (!path) {
             return path.faults();
         }
+        const Result<DrawingArguments> drawing = openOptions(command, source_);
+        if (!drawing) {
+            return drawing.faults();
+        }
         ImportNotes notes;
-        Result<Document> document = readDocument(*path, {}, &notes);
+        Input input{*path, {}};
+        if (const std::string wrong = checkDrawingOptions(*drawing, input, false); !wrong.empty()) {
+            return error("bad-value", wrong);
+        }
+        drawing->applyTo(input.options);
+        Result<Document> document = readDocument(input.path, input.options, &notes);
         if (!document) {
             return document.faults();
         }
         player_.load(*std::move(document));
         meshed_.reset();
+        projection_ = drawing->projection;
+        system_ = notes.contents().system;
         return notes.diagnostics();
     }
 
@@ -216,12 +240,35 @@ class ScriptRun {
         if (Status faults = checkOutputs(outputs, {source_.path}); !faults.empty()) {
             return faults;
         }
-        Diagnostics written = bar_.during(
-            {}, [&] { return writeAndCommit(outputs, meshed_->mesh, {}, bar_.progress(interrupt_.token())); });
+        const Diagnostics written = exportTo(outputs, command);
         if (!hasErrors(written)) {
             print(command, "wrote " + path->string());
         }
         return written;
+    }
+
+    /// Writes the mesh with the open parts and elevations that the command says.
+    Diagnostics exportTo(const std::vector<Output> &outputs, const ScriptCommand &command) {
+        Result<MeshForm> form = exportForm(command, source_);
+        if (!form) {
+            return form.faults();
+        }
+        form->system = system_;
+        if (std::string wrong = checkOpen(*form, outputs) + checkElevation(form->elevation, outputs); !wrong.empty()) {
+            return error("bad-value", std::move(wrong));
+        }
+        MeshView mesh(meshed_->mesh);
+        if (Status faults = checkOpenNames(*form, mesh); !faults.empty()) {
+            return faults;
+        }
+        const Result<std::vector<double>> elevations =
+            form->elevation ? readElevations(*form->elevation, mesh, projection_, arguments_.quiet)
+                            : Result<std::vector<double>>(std::vector<double>());
+        if (!elevations) {
+            return elevations.faults();
+        }
+        mesh.elevations = *elevations;
+        return bar_.during({}, [&] { return writeAndCommit(outputs, mesh, *form, bar_.progress(interrupt_.token())); });
     }
 
     Status save(const ScriptCommand &command) {
@@ -245,6 +292,8 @@ class ScriptRun {
     ProgressBar bar_;
     ScriptPlayer player_;
     std::optional<MeshingOutcome> meshed_; ///< of the document as it is now
+    std::string projection_;               ///< of the map that was opened, for elevations
+    MapSystem system_;                     ///< of that map, for files that name it
 };
 
 int runScript(const RunScriptArguments &arguments) {

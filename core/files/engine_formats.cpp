@@ -23,6 +23,7 @@
 #include "core/files/ugrid/ugrid.hpp"
 #include "core/files/unv/unv.hpp"
 #include "core/files/vtk/vtk.hpp"
+#include "core/files/water_formats.hpp"
 #include "core/files/xdmf/xdmf.hpp"
 
 #include <array>
@@ -327,28 +328,8 @@ constexpr std::array kFormats = {
            .readFields = readTwoDmFields,
            .writeMesh = writeTwoDm,
            .noteChanges = noteTwoDmChanges},
-    Format{.about = {.id = "adcirc",
-                     .name = "ADCIRC grid",
-                     .extension = ".14",
-                     .writesMesh = true,
-                     .holds = kTriangleGrid,
-                     .hasOpenBoundaries = true,
-                     .holdsElevations = true,
-                     .keeps = "Keeps triangles and the boundary as chains of open parts, land (20) and islands (21), "
-                              "without names. Depths are elevations with the other sign; cannot be read back."},
-           .writeWith = writeAdcirc,
-           .noteChanges = noteDepths},
-    Format{.about = {.id = "gr3",
-                     .name = "SCHISM grid",
-                     .extension = ".gr3",
-                     .writesMesh = true,
-                     .holds = kFirstOrder,
-                     .hasOpenBoundaries = true,
-                     .holdsElevations = true,
-                     .keeps = "Keeps elements and the boundary as chains of open parts, land (0) and islands (1), "
-                              "without names. Depths are elevations with the other sign; cannot be read back."},
-           .writeWith = writeSchism,
-           .noteChanges = noteDepths},
+    kAdcircFormat,
+    kSchismFormat,
     Format{.about = {.id = "selafin",
                      .name = "TELEMAC SELAFIN",
                      .extension = ".slf",
@@ -375,7 +356,7 @@ constexpr std::array kFormats = {
                      .keeps =
                          "Keeps elements as faces, elevations, and the numbers of regions and boundary parts, with "
                          "their names as meanings; points are left out. Cannot be read back."},
-           .writeMesh = writeUgrid,
+           .writeWith = writeUgrid,
            .noteChanges = noteUgridChanges},
     Format{.about = {.id = "mike",
                      .name = "MIKE mesh",

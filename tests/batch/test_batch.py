@@ -26,7 +26,7 @@ from unittest import mock
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 STATS = ["nodes", "elements", "area", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "delta_area_mean",
-         "min_angle_deg",
+         "edge_length_min", "edge_length_max", "min_angle_deg",
          "max_angle_deg", "front_mean", "neighbours_mean", "considered_mean", "tests_mean", "cells_mean",
          "candidates_mean", "forced_mean", "flat_elements", "seconds_mesh", "seconds_improve",
          "improve", "sharp_corners", "narrow_places", "min_angle_elsewhere_deg", "peak_bytes", "hash"]
@@ -316,12 +316,30 @@ class Meshing(Case):
     def test_violated_limits_of_a_project_are_warned_of(self):
         self.write("strict.json", PROJECT.replace('"version": 1,', '"version": 1, "limits": {"minAngle": 59.9},'))
         self.assertRegex(self.call("mesh", "strict.json", "-o", "a.msh").stderr,
-                         r"^warning: the mesh violates a limit of the project: minimum angle 59.9°: violated by \d+ of ")
+                         r"^warning: the mesh violates a limit: minimum angle 59.9°: violated by \d+ of ")
         self.write("kind.json", PROJECT.replace('"version": 1,', '"version": 1, "limits": {"minAngle": 5},'))
         self.assertEqual(self.call("mesh", "kind.json", "-o", "a.msh").stderr, "")
         self.assertIn("note: the limits of the project are not checked [limits]; add --limits",
                       self.call("check", "a.msh", "--domain", "kind.json").stderr)
         self.assertEqual(self.call("check", "a.msh", "--domain", "kind.json", "--limits", "kind.json").stderr, "")
+
+    def test_fix_changes_settings_until_limits_are_met(self):
+        options = ["plate.poly", "-o", "a.msh", "--spacing", "max(0.05,0.6*hypot(x,y))", "--gradation", "0.6"]
+        limits = ["--limit", "max-growth=2.2"]
+        worse = self.call("mesh", *options, *limits).stderr
+        self.assertRegex(worse, r"warning: the mesh violates a limit: .*violated by \d+ of ")
+        self.call("check", "a.msh", "--max-growth", "2.2", code=1)
+        fixed = self.call("mesh", *options, *limits, "--fix").stderr
+        self.assertRegex(fixed, r"note: --fix: gradation 0.6 → 0.\d+.*: \d+ violations, then \d+")
+        before, after = (int(n) for n in re.search(r": (\d+) violations, then (\d+) \[fixed\]", fixed).groups())
+        self.assertLess(after, before)
+        self.assertEqual("violates a limit" in fixed, "--fix cannot mend" in fixed)
+        island = self.call("mesh", *options[:3], "--limit", "min-island-area=2", "--fix").stderr
+        self.assertIn("remove the small ones from the drawing", island)
+        for words, message in ((["--fix"], "--fix: there are no limits"), (["--limit", "beauty=1"], "unknown limit 'beauty'"),
+                               (["--limit", "max-growth"], "expected NAME=VALUE"),
+                               (["--limit", "min-angle=100"], "expected a number from 0 to 90")):
+            self.assertIn(message, self.call("mesh", "plate.poly", "-o", "a.msh", *words, code=2).stderr)
 
     def test_no_improve_leaves_out_the_improvement(self):
         raw = self.stats("plate.poly", "--size", "0.1", "--no-improve")
@@ -402,7 +420,49 @@ class Meshing(Case):
         self.assertNotEqual(self.read("a.gr3").splitlines()[1:], self.read("a.14").splitlines()[1:])
         self.assertIn("--open: no output tells open boundaries from land; add -o OUT with one of .14, .gr3",
                       self.call("mesh", "bay.poly", "-o", "a.msh", "--size", "1", "--open", part, code=2).stderr)
-        self.assertIn("ADCIRC grid cannot be read here", self.call("check", "a.14", code=1).stderr)
+        checked = self.call("check", "a.14", "--domain", "bay.poly")
+        self.assertIn("valid for the domain", checked.stdout)
+        self.assertEqual([part["name"] for part in json.loads(self.call("info", "a.14", "--json").stdout)["boundaries"]],
+                         ["open_1"])
+
+    COAST = {"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"name": "coast"}, "geometry": {"type": "Polygon", "coordinates": [
+            [[25.0, 60.0], [25.4, 60.0], [25.4, 60.2], [25.3, 60.15], [25.2, 60.22], [25.0, 60.2], [25.0, 60.0]]]}}]}
+    SEA = "sea:25.01,60.19;25.39,60.01"
+
+    def test_a_part_of_a_ring_is_named_and_opened(self):
+        self.write("coast.geojson", json.dumps(self.COAST))
+        for options in ([], ["--projection", "local"]):
+            unnamed = self.call("mesh", "coast.geojson", *options, "-o", "a.14", "--open", "sea", code=1).stderr
+            self.assertIn("expected one of 'coast'", unnamed)
+            self.assertIn('--name "sea:X1,Y1;X2,Y2"', unnamed)
+            done = self.call("mesh", "coast.geojson", *options, "-o", "a.14", "-o", "a.msh", "--open", "sea", "--name", self.SEA)
+            self.assertIn("'sea' is named: 2 segments", done.stderr)
+            parts = json.loads(self.call("info", "a.msh", "--json").stdout)["boundaries"]
+            self.assertEqual({part["name"] for part in parts}, {"coast", "sea"})
+            parts = json.loads(self.call("info", "a.14", "--json").stdout)["boundaries"]
+            self.assertEqual({part["name"] for part in parts}, {"open_1", "land"})
+            self.call("check", "a.msh", "--domain", "coast.geojson", *options, "--name", self.SEA)
+        coast = json.loads(json.dumps(self.COAST))
+        coast["features"].append({"type": "Feature", "properties": {"name": "sea"}, "geometry": {
+            "type": "LineString", "coordinates": [[25.0, 60.2], [25.0, 60.0], [25.4, 60.0]]}})
+        self.write("line.geojson", json.dumps(coast))
+        self.call("mesh", "line.geojson", "--allow-degrees", "-o", "b.msh", "--open", "sea", "-o", "b.14")
+        self.call("mesh", "coast.geojson", "--allow-degrees", "-o", "c.14", "--open", "sea", "--name", self.SEA)
+        self.assertEqual(self.read("b.14"), self.read("c.14"))
+
+    def test_names_that_cannot_be_placed_are_refused(self):
+        self.write("coast.geojson", json.dumps(self.COAST))
+        for value, code, message in (("sea", 2, "expected NAME:X1,Y1;X2,Y2"), ("sea:1,2;3", 2, "expected NAME:X1,Y1;X2,Y2"),
+                                     (":1,2;3,4", 2, "expected NAME:X1,Y1;X2,Y2"),
+                                     ("sea:384000,6670000;25.4,60", 1, "far outside the domain"),
+                                     ("sea:25.4,60;25.39,60", 1, "both nearest to the node")):
+            self.assertIn(message, self.call("mesh", "coast.geojson", "-o", "a.msh", "--name", value, code=code).stderr)
+        self.write("plate.json", PROJECT)
+        self.assertIn("--name: a project keeps names of its own",
+                      self.call("mesh", "plate.json", "-o", "a.msh", "--name", "sea:0,0;4,0", code=2).stderr)
+        self.call("mesh", "plate.poly", "-o", "a.msh", "--name", "inlet:0,0;0,0")
+        self.assertIn("inlet", self.read("a.msh"))
 
     def test_check_accepts_su2_as_it_is_written_by_default(self):
         self.write_inner_edges()
@@ -1507,7 +1567,7 @@ class Refusing(Case):
         for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
             self.assertIn("Examples:", self.call(*words).stdout)
         self.assertIn("4 no window", self.call("--help").stdout)
-        meshes = ".msh, .vtu, .vtk, .xdmf, .xmf, .mesh, .inp, .su2, .unv, .bdf, .nas, .2dm, .node, .ele, .vol, .obj"
+        meshes = ".msh, .vtu, .vtk, .xdmf, .xmf, .mesh, .inp, .su2, .unv, .bdf, .nas, .2dm, .14, .gr3, .node, .ele, .vol, .obj"
         for command in ("check", "convert", "adapt"):
             self.assertIn("mesh file: " + meshes, " ".join(self.call(command, "--help").stdout.split()))
         text = " ".join(self.call("mesh", "--help").stdout.split())
@@ -1841,6 +1901,26 @@ class Scripts(Case):
         limited = '{"command": "change", "members": {"limits": {"minAngle": 59}}}'
         refused = self.run_script(opened, limited, '{"command": "mesh"}', '{"command": "check"}', code=1).stderr
         self.assertIn("script.jsonl:4:1: error: check: minimum angle 59°: violated", refused)
+
+
+    def test_a_map_is_projected_and_exported_with_open_parts_and_elevations(self):
+        self.write("coast.geojson", json.dumps(Meshing.COAST))
+        opened = '{"command": "open", "file": "coast.geojson", "projection": "local"}'
+        name = '{"command": "name", "segments": ["shape/1/segment/0", "shape/1/segment/5"], "name": "sea"}'
+        export = '{"command": "export", "file": "%s", "open": ["sea"], "elevation": "-5-x/100000"}'
+        self.run_script(opened, name, '{"command": "mesh"}', export % "a.14",
+                        '{"command": "export", "file": "a.nc", "elevation": "-5"}')
+        told = json.loads(self.call("info", "a.14", "--json").stdout)
+        self.assertEqual({part["name"] for part in told["boundaries"]}, {"open_1", "land"})
+        self.assertEqual(told["node_values"], ["elevation"])
+        self.assertGreater(told["bounds"][2], 10000)  # metres
+        self.assertIn(b"azimuthal_equidistant", (self.path / "a.nc").read_bytes())
+        for command, message in (('{"command": "open", "file": "coast.geojson", "projection": "UTM"}', "expected local or a code"),
+                                 ('{"command": "open", "file": "plate.poly", "projection": "local"}', "--projection: only"),
+                                 ('{"command": "open", "file": "coast.geojson", "layers": "a"}', "expected file, projection, layer")):
+            self.assertIn(message, self.run_script(command, code=1).stderr)
+        self.assertIn("unknown boundary part 'see'",
+                      self.run_script(opened, '{"command": "mesh"}', export.replace("sea", "see") % "b.14", code=1).stderr)
 
 
 class Telling(Case):

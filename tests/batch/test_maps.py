@@ -93,6 +93,39 @@ class Maps(Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(b"meadow", done.stdout)
 
+    def test_parts_are_named_in_the_coordinates_of_the_map(self):
+        self.convert("ll.gpkg", "-t_srs", "EPSG:4326")
+        isle = json.loads(subprocess.run(["ogr2ogr", "-f", "GeoJSON", "/vsistdout/", "ll.gpkg"], cwd=self.path, check=True,
+                                         capture_output=True, text=True).stdout)["features"][2]["geometry"]["coordinates"][0][0]
+        sea = "sea:{},{};{},{}".format(*isle[0], *isle[1])
+        found = self.mesh("ll.gpkg", "--projection", "EPSG:3067", "--size", 10, "-o", "a.nc", "--name", sea)
+        lengths = {part["name"]: part["length"] for part in found["boundaries"]}
+        self.assertAlmostEqual(lengths["sea"], 50, delta=0.1)
+        self.assertAlmostEqual(lengths["isle"], 150, delta=0.3)
+        text = (self.path / "a.nc").read_bytes()
+        for words in (b"EPSG:3067", b"crs_wkt", b"projected_coordinate_system"):
+            self.assertIn(words, text)
+        self.mesh("ll.gpkg", "--allow-degrees", "-o", "b.nc")
+        self.assertIn(b"wgs84", (self.path / "b.nc").read_bytes())
+        self.assertIn("cannot be converted", self.call("mesh", "ll.gpkg", "--projection", "EPSG:3067", "-o", "c.nc", "--name",
+                                               f"sea:{X},{Y};{X + 100},{Y}", code=1).stderr)
+
+    def test_hostile_maps_are_refused_or_read(self):
+        """GDAL's driver for KML must not get models within collections, and no geometry may end the program."""
+        ring = "<coordinates>0,0 1,0 1,1 0,1 0,0</coordinates>"
+        area = f"<Polygon><outerBoundaryIs><LinearRing>{ring}</LinearRing></outerBoundaryIs></Polygon>"
+        kml = '<kml xmlns="http://www.opengis.net/kml/2.2"><Document><Placemark><name>a</name>{}</Placemark></Document></kml>'
+        for inner in ("<Model/>", "<MultiGeometry><Model><Link/></Model></MultiGeometry>"):
+            (self.path / "m.kml").write_text(kml.format(f"<MultiGeometry>{area}{inner}</MultiGeometry>"))
+            self.assertIn("3D models are left out", self.call("mesh", "m.kml", "--allow-degrees", "-o", "a.msh").stderr)
+        for inner in ("<MultiGeometry/>", "<MultiGeometry><Model/></MultiGeometry>", "<Point/>",
+                      "<LineString><coordinates>1,nan 2,inf</coordinates></LineString>"):
+            (self.path / "m.kml").write_text(kml.format(inner))
+            self.call("mesh", "m.kml", "--allow-degrees", "-o", "a.msh", code=1)
+        for coordinates in ("[[[0, 0], [1e308, 0], [1e308, 1e308], [0, 0]]]", "[[]]", "[[[0, 0], [1, NaN], [1, 1], [0, 0]]]", "[]"):
+            (self.path / "m.geojson").write_text('{"type": "Polygon", "coordinates": %s}' % coordinates)
+            self.call("mesh", "m.geojson", "--projection", "EPSG:3067", "-o", "a.msh", code=1)
+
     def test_degrees_and_projections(self):
         self.convert("map.kml")
         told = self.call("mesh", "map.kml", "-o", "a.msh").stderr

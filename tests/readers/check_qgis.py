@@ -1,10 +1,10 @@
 """Reads exported meshes with QGIS, by its library MDAL, whose packages are some 600 MB on the disc, so that the ordinary tests
 leave it out.
 
-    check_qgis.py EXPORT_SAMPLE RESULT [PICTURE]      (needs the Debian package python3-qgis)
+    check_qgis.py EXPORT_SAMPLE RESULT [PICTURE|- [FILE.nc=EPSG:n...]]      (needs the Debian package python3-qgis)
 
 EXPORT_SAMPLE is the helper that writes the files. The outcome is printed and written to RESULT; PICTURE (.png) gets the
-first mesh as QGIS draws it. Exit status 77: QGIS is missing.
+first mesh as QGIS draws it. Each FILE.nc, a mesh of a map in UGRID, must have that reference system. Exit status 77: QGIS is missing.
 """
 import datetime
 import os
@@ -18,7 +18,7 @@ from common import Samples, measures, near, same
 
 try:
     from qgis.core import (QgsApplication, QgsMapRendererParallelJob, QgsMapSettings, QgsMesh, QgsMeshLayer,
-                           QgsMeshRendererMeshSettings)
+                           QgsMeshRendererMeshSettings, QgsProviderRegistry)
     from qgis.PyQt.QtCore import QSize
     from qgis.PyQt.QtGui import QColor
 except ImportError as problem:
@@ -47,6 +47,22 @@ def check_values(file, name):
     data = layer.dataProvider()
     groups = [data.datasetGroupMetadata(k).name() for k in range(data.datasetGroupCount())]
     assert any(group.split()[0] == name for group in groups), f"no values {name} among {groups}"
+
+
+def check_xdmf_is_no_mesh(sample):
+    """MDAL takes XDMF for values of a mesh in another file, and those only as time series."""
+    registry = QgsProviderRegistry.instance()
+    assert "xdmf" not in registry.fileMeshFilters().lower(), "QGIS reads meshes from XDMF now: let it read ours"
+    assert "xdmf" in registry.fileMeshDatasetFilters().lower()
+    layer, _ = read_layer(sample.files["2dm"])
+    assert not layer.dataProvider().addDataset(sample.files["xdmf"]), "QGIS reads our values from XDMF now: say so"
+
+
+def check_system(file, expected):
+    """The reference system of a UGRID file, made by `forefront mesh` from a map."""
+    layer, _ = read_layer(file)
+    found = layer.crs().authid() or layer.crs().toProj()
+    assert expected in found, f"expected {expected}, found {found}"
 
 
 def draw(file, picture):
@@ -83,7 +99,10 @@ def main():
             checks.append((f"{kind} of {name} by QGIS",
                            lambda s=sample, k=kind, t=tolerance: check_mesh(s, s.files[k], t)))
     checks.append(("values of SELAFIN by QGIS", lambda: check_values(samples["sample"].files["selafin"], "bottom")))
-    if len(sys.argv) > 3:
+    checks.append(("XDMF is no mesh for QGIS", lambda: check_xdmf_is_no_mesh(samples["sample"])))
+    checks += [(f"{os.path.basename(file)} by QGIS", lambda f=file, s=system: check_system(f, s))
+               for file, system in (pair.split("=") for pair in sys.argv[4:])]
+    if len(sys.argv) > 3 and sys.argv[3] != "-":
         checks.append(("picture by QGIS", lambda: draw(samples["sample"].files["2dm"], sys.argv[3])))
     lines, passed = samples.run(checks)
     version = subprocess.run(["dpkg-query", "-W", "-f", "${Package} ${Version}\\n", "python3-qgis"], capture_output=True,

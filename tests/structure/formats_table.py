@@ -23,7 +23,7 @@ READ_BY = {
     "msh41-binary": ("Gmsh, meshio; dolfinx", f"{CHECK}; {HEAVY}"),
     "vtu": ("meshio, VTK", CHECK),
     "vtk": ("Gmsh, meshio, VTK, FreeFem++; deal.II", f"{CHECK}; {HEAVY}"),
-    "xdmf": ("dolfinx; meshio, one grid at a time", "check_xdmf.py"),
+    "xdmf": ("dolfinx; meshio, one grid at a time; QGIS (MDAL) reads no meshes from XDMF", "check_xdmf.py; check_qgis.py"),
     "medit": ("Gmsh, meshio, FreeFem++", CHECK),
     "mfem": ("own parser: not in Debian", CHECK),
     "inp": ("CalculiX, meshio", CHECK),
@@ -64,6 +64,9 @@ python3 tests/readers/check_readers.py build/release/tests/forefront_export_samp
 python3 tests/readers/check_xdmf.py build/release/tests/forefront_export_sample RESULT.txt        # and check_openfoam, check_qgis
 sh tests/readers/heavy_readers.sh build/release/tests/forefront_export_sample
 ```
+
+QGIS 3.22 reads XDMF only as values of a mesh that another file holds, a time series of values of elements; `check_qgis.py` shows that
+our files are refused as a mesh and as values. For QGIS, write 2DM, UGRID or SELAFIN.
 
 The last results of those that need large packages lie beside them: [`xdmf.txt`](../../tests/readers/xdmf.txt),
 [`openfoam.txt`](../../tests/readers/openfoam.txt), [`qgis.txt`](../../tests/readers/qgis.txt) and

@@ -177,7 +177,8 @@ TEST_CASE("Cells of files: the fault names all that is lacking, and formats that
     fault = writeMesh(folder / "a.node", samples::mixedSample(), "triangle");
     REQUIRE(fault.size() == 1);
     CHECK(hasPart(fault.front().message, "files hold no quadrilaterals ("));
-    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .xdmf, .mesh, .inp, .su2, .unv, .bdf, .2dm or .obj instead");
+    CHECK(fault.front().advice ==
+          "write .msh, .vtu, .vtk, .xdmf, .mesh, .inp, .su2, .unv, .bdf, .2dm, .gr3 or .obj instead");
     CHECK(folder.fileCount() == 0);
 }
 

@@ -41,6 +41,15 @@ TriMesh byRegion(TriMesh mesh) {
     return mesh;
 }
 
+/// The nodes and elements alone: grids of water tell only open boundaries, land and islands apart.
+TriMesh shapeAlone(const TriMesh &mesh) {
+    TriMesh shape;
+    shape.nodes = mesh.nodes;
+    shape.elements = mesh.elements;
+    shape.regions.assign(mesh.elements.size(), 1);
+    return shape;
+}
+
 } // namespace
 
 TEST_CASE("Formats: a mesh written in any format is read back the same, with tags, names and regions") {
@@ -57,7 +66,12 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
         auto back = triangles(allFormats().readMesh(path));
         REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
         undoRounding(*back, mesh, exportNotes(path, mesh, format.id));
-        CHECK(difference(std::string(format.id) == "obj" ? byRegion(mesh) : mesh, *back) == "");
+        if (format.hasOpenBoundaries) {
+            CHECK(difference(shapeAlone(mesh), shapeAlone(*back)) == "");
+            CHECK(back->edges.size() >= 2 * (8 + 5)); // the sides of the rectangle
+        } else {
+            CHECK(difference(std::string(format.id) == "obj" ? byRegion(mesh) : mesh, *back) == "");
+        }
         CHECK(verify(*back).empty());
     }
 }
@@ -139,9 +153,9 @@ TEST_CASE("Formats: round trip of a mesh of one region without names, edges or p
         REQUIRE(writeMesh(path, mesh, format.id).empty());
         const auto back = triangles(allFormats().readMesh(path));
         REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
-        CHECK(difference(mesh, *back) == "");
+        CHECK(difference(mesh, format.hasOpenBoundaries ? shapeAlone(*back) : *back) == "");
         CHECK(back->regions == std::vector<std::int32_t>(mesh.elements.size(), 1));
-        CHECK(back->boundaryNames.empty());
+        CHECK(back->boundaryNames.size() == (format.hasOpenBoundaries ? 1U : 0U)); // land
         CHECK(back->regionNames.empty());
     }
 }
@@ -296,7 +310,8 @@ TEST_CASE("Formats: what the list says of a format agrees with its functions") {
         CHECK(about.writesMesh == !std::string(about.keeps).empty());
         CHECK((!about.readsMesh || about.kind == FileKind::Mesh));
         CHECK((about.kind != FileKind::Mesh || about.readsMesh || about.writesMesh));
-        CHECK((format.writeWith == nullptr || about.hasOpenBoundaries || about.tellsTagsApart || about.namesUnit));
+        CHECK((format.writeWith == nullptr || about.hasOpenBoundaries || about.tellsTagsApart || about.namesUnit ||
+               std::string_view(about.id) == "ugrid")); // which names the reference system
         CHECK((!about.namesUnit || format.writeWith != nullptr));
         CHECK(about.tellsTagsApart == (format.noteKeptChanges != nullptr));
         CHECK((!about.hasOpenBoundaries || format.writeWith != nullptr || format.writeFiles != nullptr));

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -132,5 +133,95 @@ TEST_CASE("Shoreline: each side without a neighbour is in one stretch, with its 
             }
         }
         CHECK(found == sides.size());
+    }
+}
+
+namespace {
+
+/// Two triangles and a quadrilateral with an island side, as other programs write them: comments after the numbers.
+const std::string kGridOfWater = R"( Bay of nothing
+ 3  7 ! elements, nodes
+ 10 0.0 0.0  1.50
+ 20 2.0 0.0  2.0 deep
+ 30 2.0 1.0 -0.5
+ 40 0.0 1.0  0
+ 50 3.0 0.0  1
+ 60 3.0 1.0  1
+ 70 2.5 2.0  1
+ 1 3 10 20 30
+ 2 3 10 30 40
+ 3 4 20 50 60 30
+ 1 = Number of open boundaries
+ 2 = Total number of open boundary nodes
+ 2 = Number of nodes for open boundary 1
+ 40
+ 10
+ 3 = Number of land boundaries
+ 8 = Total number of land boundary nodes
+ 3 20 = Number of nodes for land boundary 1
+ 10
+ 20
+ 50
+ 3 21
+ 20
+ 50
+ 60
+ 2 24
+ 60 30 1.5 1 1
+ 50 20 1.5 1 1
+)";
+
+std::string refusedGrid(const std::string &text) {
+    const Result<Mesh> read = readHydro(sourceOf(text));
+    CHECK_FALSE(read.ok());
+    return read ? std::string() : messages(read.faults());
+}
+
+std::string replacedOnce(std::string text, const std::string &from, const std::string &to) {
+    REQUIRE(text.find(from) != std::string::npos);
+    return text.replace(text.find(from), from.size(), to);
+}
+
+} // namespace
+
+TEST_CASE("Grids of water: what they hold is read, with comments, islands and barriers") {
+    const Result<MeshFields> read = readHydroFields(sourceOf(kGridOfWater));
+    REQUIRE(read);
+    const MeshView mesh(read->mesh);
+    CHECK(mesh.nodes.size() == 7);
+    CHECK(mesh.elementCount() == 3);
+    CHECK(read->fields.at("elevation")[0] == -1.5);
+    CHECK(read->fields.at("elevation")[2] == 0.5);
+    std::map<std::string, std::size_t> edges;
+    for (const TaggedEdge &edge : mesh.edges) {
+        ++edges[boundaryName(mesh.boundaryNames, edge.tag)];
+    }
+    CHECK(edges == std::map<std::string, std::size_t>{{"open_1", 1}, {"land", 2}, {"island", 3}, {"type_24", 2}});
+    const std::string alone = kGridOfWater.substr(0, kGridOfWater.find(" 1 = Number"));
+    REQUIRE(readHydro(sourceOf(alone)));
+    CHECK(readHydro(sourceOf(alone))->edges.empty());
+}
+
+TEST_CASE("Grids of water: what is written is read back, its parts by kind") {
+    const TriMesh mesh = withHoles({5});
+    for (const auto write : {writeAdcirc, writeSchism}) {
+        const std::string text = gridText(write, mesh, {3});
+        const Result<Mesh> back = readHydro(sourceOf(text));
+        REQUIRE(back);
+        CHECK(gridText(write, *back, {1}) == text); // open_1
+        CHECK(std::equal(back->nodes.begin(), back->nodes.end(), mesh.nodes.begin(), mesh.nodes.end()));
+    }
+}
+
+TEST_CASE("Grids of water: faults name their line") {
+    CHECK(refusedGrid("").find("found the end") != std::string::npos);
+    CHECK(refusedGrid("title\n1000000 3\n").find(":2:") != std::string::npos);
+    CHECK(refusedGrid(replacedOnce(kGridOfWater, "2 3 10 30 40", "2 5 10 30 40")).find(":11:") != std::string::npos);
+    CHECK(refusedGrid(replacedOnce(kGridOfWater, "2 3 10 30 40", "2 3 10 30 41")).find("node 41") != std::string::npos);
+    CHECK(refusedGrid(replacedOnce(kGridOfWater, " 20 2.0", " 10 2.0")).find("repeats") != std::string::npos);
+    CHECK(refusedGrid(replacedOnce(kGridOfWater, "60 30 1.5", "60")).find("barrier") != std::string::npos);
+    for (std::size_t length = 0; length + 1 < kGridOfWater.size(); length += 7) {
+        const Result<Mesh> read = readHydro(sourceOf(kGridOfWater.substr(0, length)));
+        CHECK((read.ok() || allLocated(read.faults())));
     }
 }

@@ -129,3 +129,38 @@ TEST_CASE("UGRID: the header tells where the values are") {
     CHECK(mesh.find("UGRID-1.0") != std::string::npos);
     CHECK(mesh.find("flag_meanings") != std::string::npos);
 }
+
+TEST_CASE("UGRID: the reference system of a map is named as CF, Delft3D FM and MDAL want it") {
+    const TriMesh basin = waterBasin();
+    const auto text = [&](const MapSystem &system) {
+        StringSink sink;
+        ExportOptions options;
+        options.system = system;
+        REQUIRE(writeMesh(sink, basin, "ugrid", options).empty());
+        return sink.text;
+    };
+    const auto has = [](const std::string &file, std::string_view words) {
+        return file.find(words) != std::string::npos;
+    };
+    const std::string none = text({});
+    CHECK_FALSE(has(none, "grid_mapping"));
+    CHECK(has(none, "projection_x_coordinate"));
+    const std::string projected = text({.code = "EPSG:3067", .wkt = "PROJCRS[\"x\"]"});
+    CHECK(has(projected, "EPSG_code"));
+    CHECK(has(projected, "EPSG:3067"));
+    CHECK(has(projected, "crs_wkt"));
+    CHECK(has(projected, "projected_coordinate_system"));
+    const std::string degrees = text({.code = {}, .wkt = {}, .geographic = true});
+    CHECK(has(degrees, "wgs84"));
+    CHECK(has(degrees, "latitude_longitude"));
+    CHECK(has(degrees, "degrees_north"));
+    CHECK_FALSE(has(degrees, "projection_x_coordinate"));
+    const std::string local = text({.code = {}, .wkt = {}, .geographic = false, .centre = Vec2{25.5, 60.25}});
+    CHECK(has(local, "azimuthal_equidistant"));
+    CHECK(has(local, "PARAMETER[\"latitude_of_center\",60.25]"));
+    // Doubles are written as such: 60.25 is 0x404e200000000000.
+    const std::size_t at = local.find("latitude_of_projection_origin");
+    REQUIRE(at != std::string::npos);
+    CHECK(bigEndian(local, at + 32) == 6); // the type
+    CHECK(bigEndian(local, at + 40) == 0x404e2000);
+}

@@ -236,3 +236,17 @@ TEST_CASE("verifyAgainst domain: tells the sides of a needle apart where they ar
         CHECK(codes(verifyAgainst(mesh, needle)) == Codes{"missing-segment"});
     }
 }
+
+TEST_CASE("verifyAgainst domain: a needle whose tip is within the tolerance of its sides keeps both sides") {
+    // From the tip, the nodes of both sides are ahead, and within the rounding of 1e17 of either.
+    MeshingJob job;
+    addLoop(job.domain, {{0, 0}, {4, 0}, {4, 1e17}, {0, 2}});
+    const Result<MeshingOutcome> outcome = meshDomain(job);
+    REQUIRE(outcome);
+    CHECK(codes(verifyAgainst(outcome->mesh, job.domain)) == Codes{});
+    Mesh wrong = outcome->mesh; // a side that is not covered is still found
+    for (Vec2 &place : wrong.nodes) {
+        place = place == Vec2{0, 2} ? Vec2{0, 3} : place;
+    }
+    CHECK_FALSE(verifyAgainst(wrong, job.domain).empty());
+}

@@ -114,3 +114,42 @@ def test_a_triangulation_for_matplotlib(plate, monkeypatch):
     mesh = ff.mesh(plate, 0.3, elements="quads")
     x, y, triangles = mesh.to_matplotlib()
     assert np.array_equal(np.column_stack([x, y]), mesh.nodes) and triangles.shape == (2 * mesh.element_count, 3)
+
+
+def map_in_degrees(size):
+    """A field of 0.02 x 0.01 degrees at 60 degrees of latitude, some 1110 x 1110 m, with an element size."""
+    return ('{"type": "Feature", "properties": {"name": "field", "h": %s}, "geometry": {"type": "Polygon", "coordinates": '
+            '[[[25, 60], [25.02, 60], [25.02, 60.01], [25, 60.01], [25, 60]]]}}' % size).encode()
+
+
+def test_maps_are_read_with_sizes_and_projected(tmp_path):
+    fine, coarse = (ff.mesh(ff.Domain.read(map_in_degrees(h), "geojson", degrees="local", sizes="h")) for h in (50, 200))
+    assert fine.element_count == pytest.approx(1113 * 1112 / (0.433 * 50**2), rel=0.1)
+    assert fine.element_count > 4 * coarse.element_count
+    assert fine.quality("area").sum() == pytest.approx(1113 * 1112, rel=0.01)
+    plain = ff.Domain.read(map_in_degrees(50), "geojson", degrees="keep")
+    assert plain.bounds == (25, 60, 25.02, 60.01)
+    with pytest.raises(ff.MeshError, match="no feature has a property 'size'"):
+        ff.Domain.read(map_in_degrees(50), "geojson", degrees="keep", sizes="size")
+    with pytest.raises(ff.MeshError, match="expected a size above 0"):
+        ff.Domain.read(map_in_degrees(-1), "geojson", degrees="keep", sizes="h")
+    file = tmp_path / "map.geojson"
+    file.write_bytes(map_in_degrees(50))
+    try:
+        domain = ff.Domain.read(file, projection="EPSG:3067", sizes="h")
+    except ff.MeshError as error:
+        assert error.faults[0].code == "missing-component"
+    else:
+        x, y, right, top = domain.bounds
+        assert 388000 < x < right < 390000 and 6651000 < y < top < 6654000
+        assert ff.mesh(domain).element_count == pytest.approx(fine.element_count, rel=0.1)
+
+
+def test_rasters_are_sizes():
+    grid = b"ncols 3\nnrows 2\nxllcorner -1\nyllcorner -1\ncellsize 2\nNODATA_value -9\n0.1 0.2 0.4\n0.1 0.2 0.4\n"
+    square = [(0, 0), (3, 0), (3, 2), (0, 2)]
+    mesh = ff.mesh(square, ff.read_sizes(grid, "esri"))
+    x, areas = mesh.nodes[mesh.elements].mean(axis=1)[:, 0], mesh.quality("area")
+    assert areas[x > 2.5].mean() > 3 * areas[x < 0.5].mean()
+    with pytest.raises(ff.MeshError):
+        ff.read_sizes(grid.replace(b"0.4", b"-9").replace(b"0.1", b"-1"), "esri")

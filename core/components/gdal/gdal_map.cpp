@@ -1,8 +1,11 @@
 #include "core/components/gdal/feature_text.hpp"
 #include "core/components/gdal/gdal_readers.hpp"
 #include "core/components/gdal/gdal_session.hpp"
+#include "core/engine/base/number_text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cpl_conv.h>
 #include <memory>
 #include <ogr_api.h>
 
@@ -60,7 +63,7 @@ class MapText {
         }
         for (const std::size_t k : chosen) {
             map_.read.push_back(map_.layers[k]);
-            if (!readLayer(layers[k])) {
+            if (!readLayer(layers[k]) || (map_.read.size() == 1 && !convertPlaces())) {
                 return false;
             }
         }
@@ -132,7 +135,22 @@ class MapText {
                                  "convert them to one with --projection EPSG:n");
         }
         system_ = system;
+        describe(target != nullptr ? target.get() : own);
         return true;
+    }
+
+    /// Records the code and the well-known text of the reference system.
+    void describe(OGRSpatialReferenceH system) {
+        const char *const authority = system != nullptr ? OSRGetAuthorityName(system, nullptr) : nullptr;
+        const char *const code = system != nullptr ? OSRGetAuthorityCode(system, nullptr) : nullptr;
+        map_.systemCode = authority != nullptr && code != nullptr ? std::string(authority) + ':' + code : std::string();
+        map_.systemWkt.clear();
+        char *text = nullptr;
+        const std::array<const char *, 3> options{"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
+        if (system != nullptr && OSRExportToWktEx(system, &text, options.data()) == OGRERR_NONE && text != nullptr) {
+            map_.systemWkt = text;
+        }
+        CPLFree(text);
     }
 
     static std::string systemText(OGRSpatialReferenceH system) {
@@ -148,6 +166,20 @@ class MapText {
                                                            : std::string(given != nullptr ? given : "unknown");
         }
         return "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":" + jsonString(name) + "}},";
+    }
+
+    /// Converts the given places like the layer that was read last.
+    bool convertPlaces() {
+        map_.places = file_.places;
+        for (Vec2 &place : map_.places) {
+            const std::string given = placeText(place);
+            if (transformation_ != nullptr &&
+                (OCTTransform(transformation_.get(), 1, &place.x, &place.y, nullptr) == FALSE || !isFinite(place))) {
+                return session_.fail("the place " + given + " cannot be converted to " + file_.projection,
+                                     "give places in the coordinates of the map");
+            }
+        }
+        return true;
     }
 
     bool readLayer(OGRLayerH layer) {

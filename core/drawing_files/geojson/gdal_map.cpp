@@ -1,6 +1,7 @@
 #include "core/drawing_files/geojson/gdal_map.hpp"
 
 #include "core/drawing_files/geojson/geojson.hpp"
+#include "core/drawing_files/geojson/kml_models.hpp"
 #include "core/drawing_files/geojson/topojson.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/components/gdal_source.hpp"
@@ -37,6 +38,10 @@ void passOn(const ImportNotes &notes, const GdalMap &map, const SourceText &sour
     for (const std::string &layer : map.read) {
         contents.layer += (contents.layer.empty() ? "" : ",") + layer;
     }
+    if (!contents.system.centre) {
+        contents.system.code = map.systemCode;
+        contents.system.wkt = map.systemWkt;
+    }
     source.notes->setContents(contents);
     if (!source.options.layer && map.layers.size() > map.read.size()) {
         std::vector<std::string> others;
@@ -57,7 +62,10 @@ Result<DomainFile> readByGdal(const SourceText &source, std::initializer_list<co
     }
     GdalMap map;
     GdalReport report;
-    const GdalSource file(source, drivers);
+    GdalSource file(source, drivers);
+    for (const PartName &part : source.options.partNames) {
+        file.file.places.insert(file.file.places.end(), {part.from, part.to});
+    }
     if (!(*gdal)->readMap(file.file, source.options.layer, source.options.maxBytes, map, report)) {
         return gdalFailure(report);
     }
@@ -65,6 +73,10 @@ Result<DomainFile> readByGdal(const SourceText &source, std::initializer_list<co
     ImportNotes notes;
     SourceText text{map.geoJson, source.name, {}, source.options};
     text.options.layer.reset();
+    for (std::size_t k = 0; k < text.options.partNames.size(); ++k) {
+        text.options.partNames[k].from = map.places[2 * k];
+        text.options.partNames[k].to = map.places[2 * k + 1];
+    }
     text.notes = &notes;
     Result<DomainFile> read = readGeoJsonFile(text);
     passOn(notes, map, source);
@@ -93,7 +105,15 @@ Result<DomainFile> readGeoPackage(const SourceText &source) {
 }
 
 Result<DomainFile> readKml(const SourceText &source) {
-    return readByGdal(source, {"LIBKML", "KML"});
+    const KmlWithoutModels kml = withoutModels(source.text);
+    if (kml.models == 0) {
+        return readByGdal(source, {"LIBKML", "KML"});
+    }
+    source.note("kml-model", "3D models are left out: the domain is planar", 0, kml.models);
+    SourceText plain = source;
+    plain.text = kml.text;
+    plain.path.clear(); // read from memory
+    return readByGdal(plain, {"LIBKML", "KML"});
 }
 
 Result<DomainFile> readFlatGeobuf(const SourceText &source) {

@@ -1,5 +1,7 @@
 #include "core/drawing_files/geojson/local_projection.hpp"
 
+#include "core/files/source/map_system.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -7,9 +9,6 @@
 namespace forefront {
 
 namespace {
-
-/// Mean radius of the Earth in metres: R1 of H. Moritz, Geodetic Reference System 1980.
-constexpr double kEarthRadius = 6'371'008.7714;
 
 double radians(double degrees) {
     return degrees * (std::numbers::pi / 180.0);

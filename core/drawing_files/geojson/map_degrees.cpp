@@ -27,6 +27,12 @@ bool isGeographic(std::string_view name) {
     return std::find(kCodes.begin(), kCodes.end(), codeOf(name)) != kCodes.end();
 }
 
+std::string systemCode(std::string_view name) {
+    const std::string_view code = codeOf(name);
+    const bool digits = !code.empty() && code.find_first_not_of("0123456789") == std::string_view::npos;
+    return digits && name.find("EPSG") != std::string_view::npos ? "EPSG:" + std::string(code) : std::string();
+}
+
 bool maybeDegrees(const Box2 &box) {
     return !box.empty() && box.min.x >= -180.0 - kDegreeSlack && box.max.x <= 360.0 + kDegreeSlack &&
            box.min.y >= -kPole - kDegreeSlack && box.max.y <= kPole + kDegreeSlack;

@@ -21,10 +21,6 @@ namespace forefront {
 
 namespace {
 
-bool oneOf(std::string_view key, std::initializer_list<std::string_view> known) {
-    return std::find(known.begin(), known.end(), key) != known.end();
-}
-
 std::optional<std::int32_t> tagIn(const JsonValue &properties) {
     const auto tag = properties.find("tag");
     const auto number = tag ? tag->integer() : std::nullopt;
@@ -103,13 +99,9 @@ class OutlineIndex {
 
 } // namespace
 
-void MapReader::Unused::add(const std::string &key, std::size_t offset) {
-    keys.insert(key);
-    first = count++ == 0 ? offset : first;
-}
-
 MapReader::MapReader(const SourceText &source)
-    : source_(source), check_(source), names_(source.options.nameProperty), builder_(source) {}
+    : source_(source), check_(source), names_(source.options.nameProperty), partNames_(source.options.partNames),
+      builder_(source) {}
 
 void MapReader::setLayers(std::vector<std::string> names, std::string read) {
     contents_.layers = std::move(names);
@@ -124,9 +116,11 @@ void MapReader::readReferenceSystem(const JsonValue &root) {
     const auto properties = crs->find("properties");
     const auto name = properties ? properties->find("name") : std::nullopt;
     if (name && isGeographic(name->string())) {
+        contents_.system.geographic = true;
         return; // as if it were not named
     }
     planar_ = true;
+    contents_.system.code = name ? systemCode(name->string()) : std::string();
     source_.note("crs",
                  "coordinates in the reference system" + (name ? ' ' + inQuotes(name->string()) : std::string()) +
                      " are used as they are",
@@ -167,19 +161,6 @@ MapLabel MapReader::label(const JsonValue &feature) {
 
 bool MapReader::isKnown(std::string_view property) const {
     return property == "tag" || names_.uses(property) || source_.options.sizeProperty == property;
-}
-
-void MapReader::noteMembers(const JsonValue &object, std::initializer_list<std::string_view> known) {
-    for (auto member = object.begin(); member != object.end(); ++member) {
-        const std::string key = member.key();
-        if (!oneOf(key, known) && !oneOf(key, {"type", "bbox", "crs"})) {
-            members_.add(key, member.keyValue().offset());
-        }
-    }
-}
-
-void MapReader::noteWithoutGeometry(const JsonValue &feature) {
-    source_.note("no-geometry", "features without a geometry are ignored", feature.offset());
 }
 
 Vec2 MapReader::position(const JsonValue &value) {
@@ -324,10 +305,12 @@ void MapReader::settleDegrees(const JsonValue &whole) {
     }
     if (rule == DegreeRule::Local) {
         project(whole, box);
+        contents_.system = {.code = {}, .wkt = {}, .geographic = false, .centre = box.centre()};
         return;
     }
     constexpr double kNoticed = 1.01; // nearer to the equator, small plans are more likely
     const double distortion = degreeDistortion(box);
+    contents_.system.geographic |= rule == DegreeRule::Keep || distortion > kNoticed;
     if (rule == DegreeRule::Warn && distortion > kNoticed) {
         std::array<char, 200> text{};
         std::snprintf(text.data(), text.size(),
@@ -364,6 +347,10 @@ void MapReader::project(const JsonValue &whole, const Box2 &box) {
     }
     for (Point &point : points_) {
         move(point.place);
+    }
+    for (PartName &part : partNames_) {
+        part.from = projection(part.from);
+        part.to = projection(part.to);
     }
     if (stretch > kFarthest) {
         check_.fault(whole, "large-map", "the map spans more than half of the globe; a local projection would tear it",
@@ -402,6 +389,9 @@ Result<DomainFile> MapReader::finish(const JsonValue &whole) {
     if (!check_.faults().empty()) {
         return check_.faults();
     }
+    if (Diagnostics wrong = checkPlaces(partNames_, bounds()); !wrong.empty()) {
+        return wrong;
+    }
     noteJumps();
     settleDegrees(whole);
     if (!check_.faults().empty()) {
@@ -431,31 +421,16 @@ Result<DomainFile> MapReader::finish(const JsonValue &whole) {
     }
     domain->boundaryNames = boundaries_.names();
     domain->regionNames = regions_.names();
+    const Diagnostics remarks = nameParts(partNames_, *domain);
+    if (hasErrors(remarks)) {
+        return remarks;
+    }
+    for (const Diagnostic &remark : remarks) {
+        source_.note(remark.code, remark.message, whole.offset());
+    }
     DomainFile file{std::move(*domain), {}};
     file.spacing.placed = sizesFor(file.domain);
     return file;
-}
-
-/// Reports members that are not used, once for the whole file.
-void MapReader::noteUnused() const {
-    if (heights_.count > 0) {
-        source_.note("height", "third coordinates are ignored: the domain is planar", heights_.first, heights_.count);
-    }
-    note(properties_, "properties",
-         names_.source() == "tag"
-             ? std::string("properties other than \"tag\" are ignored: ")
-             : "properties other than \"" + cleanName(names_.source()) + "\" and \"tag\" are ignored: ",
-         !named_ && names_.offersText() ? "; --name-property takes names from one of them" : "");
-    note(members_, "members", "members that have no meaning here are ignored: ");
-}
-
-void MapReader::note(const Unused &unused, const char *code, const std::string &start, const std::string &end) const {
-    if (unused.count == 0) {
-        return;
-    }
-    constexpr std::size_t kShown = 8;
-    const std::vector<std::string> keys(unused.keys.begin(), unused.keys.end());
-    source_.note(code, start + listed(keys, kShown) + end, unused.first, unused.count);
 }
 
 /// A hole is cut only out of its own polygon.

@@ -117,6 +117,7 @@ class MapReader {
     std::vector<Polygon> polygons_;
     std::vector<Line> lines_;
     std::vector<Point> points_;
+    std::vector<PartName> partNames_; ///< their places are projected with the map
     Unused properties_, members_, heights_;
     std::size_t features_ = 0; ///< numbered so far
     DrawingContents contents_;

@@ -39,6 +39,7 @@ class ProjectReader {
         if (!header(root)) {
             return check_.faults();
         }
+        check_.refuseRepeats(root);
         shapes(root);
         if (const auto markers = root.find("regionMarkers")) {
             regionMarkers(*markers);

@@ -14,7 +14,8 @@ namespace {
 /// Returns the members of a command besides "command".
 std::span<const std::string_view> membersOf(ScriptWord word) {
     static constexpr std::string_view kNew[] = {"project"};
-    static constexpr std::string_view kFile[] = {"file"};
+    static constexpr std::string_view kOpen[] = {"file", "projection", "layer", "nameProperty", "sizeProperty", "weld"};
+    static constexpr std::string_view kSave[] = {"file"};
     static constexpr std::string_view kAdd[] = {"shapes"};
     static constexpr std::string_view kMove[] = {"shapes", "nodes", "by"};
     static constexpr std::string_view kConstrain[] = {"kind", "parts", "value"};
@@ -24,13 +25,14 @@ std::span<const std::string_view> membersOf(ScriptWord word) {
     static constexpr std::string_view kChange[] = {"replace", "remove", "members"};
     static constexpr std::string_view kSteps[] = {"steps"};
     static constexpr std::string_view kMesh[] = {"hash"};
-    static constexpr std::string_view kExport[] = {"file", "format"};
+    static constexpr std::string_view kExport[] = {"file", "format", "open", "elevation"};
     switch (word) {
     case ScriptWord::New:
         return kNew;
     case ScriptWord::Open:
+        return kOpen;
     case ScriptWord::Save:
-        return kFile;
+        return kSave;
     case ScriptWord::Add:
         return kAdd;
     case ScriptWord::Move:
@@ -93,6 +95,7 @@ Result<Script> Script::read(const SourceText &source) {
         if (!check.expect(item, JsonKind::Object, "a command")) {
             continue;
         }
+        check.refuseRepeats(item);
         if (const auto word = check.member(item, "command", "the line")) {
             const std::size_t before = check.faults().size();
             const auto chosen = static_cast<ScriptWord>(check.choice(*word, wordsOf<ScriptWord>(), "the command"));

@@ -59,42 +59,11 @@ class ChainEdges {
     std::vector<NodeId> others_;
 };
 
-/// Returns the nodes of the mesh from one end of a straight segment to the other, along edges within `tolerance` of it;
-/// empty when there is no such chain.
-std::vector<NodeId> chain(const MeshView &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
-    const Vec2 a = mesh.nodes[index(from)];
-    const Vec2 along = mesh.nodes[index(to)] - a;
-    const double squared = lengthSquared(along);
-    const double maxCross = tolerance * std::sqrt(squared);
-    std::vector<NodeId> nodes{from};
-    double reached = 0.0;
-    while (nodes.back() != to) {
-        NodeId best = kNoNode;
-        double bestCross = maxCross, bestAt = 0.0;
-        for (const NodeId next : edges.at(nodes.back())) {
-            const Vec2 p = mesh.nodes[index(next)] - a;
-            const double at = dot(along, p), off = std::abs(cross(along, p));
-            const bool ahead = at > reached && (at < squared || next == to);
-            if (ahead && off <= bestCross && (best == kNoNode || off < bestCross || at < bestAt)) {
-                best = next;
-                bestCross = off;
-                bestAt = at;
-            }
-        }
-        if (best == kNoNode) {
-            return {};
-        }
-        nodes.push_back(best);
-        reached = bestAt;
-    }
-    return nodes;
-}
-
-/// A node that a walk along a curve can go to next, and how far along the curve that is.
+/// A node that a walk along a segment or curve can go to next, and how far along that is.
 struct NextNode {
     NodeId node = kNoNode;
-    double at = 0.0;     ///< parameter
-    bool beside = false; ///< only within the tolerance of the curve
+    double at = 0.0;     ///< parameter, or place along a segment
+    bool beside = false; ///< only within the tolerance
 
     /// Orders nodes on the curve before those beside it, then by parameter: beside a needle, its other side is within
     /// the tolerance, too.
@@ -136,6 +105,30 @@ std::vector<NodeId> walk(NodeId from, NodeId to, double start, const Choices &ch
         open.back().pop_back();
     } while (nodes.back() != to);
     return nodes;
+}
+
+/// Returns the nodes of the mesh from one end of a straight segment to the other, along edges within `tolerance` of it;
+/// empty when there is no such chain. In a needle the other side is within the tolerance as well, but leads elsewhere.
+std::vector<NodeId> chain(const MeshView &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
+    constexpr double kOn = 1e-4; // of the tolerance
+    const Vec2 a = mesh.nodes[index(from)], end = mesh.nodes[index(to)];
+    const Vec2 along = end - a;
+    const double maxCross = tolerance * length(along);
+    return walk(from, to, 0.0, [&](const std::vector<NodeId> &nodes, double) {
+        std::vector<NextNode> found;
+        if (nodes.size() > mesh.nodes.size()) {
+            return found; // rounding leads it round and round
+        }
+        for (const NodeId next : edges.at(nodes.back())) {
+            // Steps are measured between neighbours: distances from an end far away would round them to nothing.
+            const Vec2 p = mesh.nodes[index(next)];
+            const double step = dot(along, p - mesh.nodes[index(nodes.back())]), off = std::abs(cross(along, p - a));
+            if (step > 0.0 && (next == to || dot(along, end - p) > 0.0) && off <= maxCross) {
+                found.push_back({next, step, off > kOn * maxCross});
+            }
+        }
+        return found;
+    });
 }
 
 /// Walks along the curve of a chain from one of its ends to the other.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
+#include "core/engine/base/vec2.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -15,6 +16,7 @@ struct GdalFile {
     const std::string *bytes = nullptr; ///< of a file in memory
     std::vector<const char *> drivers;  ///< GDAL's names of the formats that it may have
     std::string projection;             ///< reference system to convert to, such as "EPSG:3067"; empty: its own
+    std::vector<Vec2> places = {};      ///< to convert with the first layer of a map
 };
 
 /// The features of a map as GeoJSON, with a member "crs" where the reference system is known.
@@ -22,6 +24,9 @@ struct GdalMap {
     std::string geoJson;
     std::vector<std::string> layers; ///< all that have geometries
     std::vector<std::string> read;   ///< those that were read
+    std::vector<Vec2> places;        ///< GdalFile::places, converted
+    std::string systemCode;          ///< of the reference system of the text, such as "EPSG:3067"; empty: none
+    std::string systemWkt;           ///< its well-known text, version 2; empty: unknown
 };
 
 /// The first band of a raster.

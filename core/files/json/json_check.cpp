@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <string>
 
 namespace forefront {
 
@@ -21,6 +23,26 @@ void JsonCheck::noteUnknown(const JsonValue &object, std::span<const std::string
         const std::string key = member.key();
         if (std::find(known.begin(), known.end(), key) == known.end()) {
             source_.note("members", "unknown member " + inQuotes(key) + " is ignored", member.keyValue().offset());
+        }
+    }
+}
+
+void JsonCheck::refuseRepeats(const JsonValue &value) {
+    if (value.is(JsonKind::Object)) {
+        std::map<std::string, std::size_t> places;
+        for (auto member = value.begin(); member != value.end(); ++member) {
+            const auto [first, added] = places.emplace(member.key(), member.keyValue().offset());
+            if (!added) {
+                fault(member.keyValue(), "duplicate-member",
+                      "duplicate member " + inQuotes(first->first) + "; the first is in line " +
+                          std::to_string(placeOf(source_.text, first->second).line),
+                      "remove one of them");
+            }
+        }
+    }
+    if (value.is(JsonKind::Object) || value.is(JsonKind::Array)) {
+        for (const JsonValue item : value) {
+            refuseRepeats(item);
         }
     }
 }

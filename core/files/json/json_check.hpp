@@ -27,6 +27,9 @@ class JsonCheck {
     void noteUnknown(const JsonValue &object, std::initializer_list<std::string_view> known) const {
         noteUnknown(object, std::span(known.begin(), known.size()));
     }
+    /// Records a fault for each member of an object, here or at any depth, whose name stands in it before. Readers of
+    /// JSON disagree on which of them counts.
+    void refuseRepeats(const JsonValue &value);
     /// Returns true once the list of faults is full.
     bool full() const { return faults_.size() >= kMaxListedFaults; }
 

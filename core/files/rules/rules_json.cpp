@@ -62,6 +62,7 @@ Result<FrontRules> readRulesText(const SourceText &source) {
         return document.faults();
     }
     JsonCheck check(source);
+    check.refuseRepeats(document->root());
     const FrontRules rules = readRules(document->root(), check);
     if (!check.faults().empty()) {
         return check.faults();

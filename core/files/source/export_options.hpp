@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/length_unit.hpp"
+#include "core/files/source/map_system.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -34,6 +35,8 @@ struct ExportOptions {
     /// The unit of the coordinates: $INSUNITS of DXF, the size of an SVG picture, a comment in MSH and Abaqus files;
     /// other formats have no place for it.
     LengthUnit unit = LengthUnit::None;
+    /// The reference system of the coordinates, for formats that name it: UGRID.
+    MapSystem system = {};
 };
 
 } // namespace forefront

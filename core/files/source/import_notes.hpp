@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/mesh_numbers.hpp"
+#include "core/files/source/map_system.hpp"
 
 #include <cstddef>
 #include <string>
@@ -35,7 +36,8 @@ struct DrawingContents {
     std::string unit = {};                ///< of the coordinates, such as "millimetres"; empty: the file names none
     /// Properties of features with text or a number as value, for ImportOptions::nameProperty; sorted.
     std::vector<std::string> properties = {};
-    bool degrees = false; ///< its coordinates are longitudes and latitudes, which ImportOptions::degrees concerns
+    bool degrees = false;  ///< its coordinates are longitudes and latitudes, which ImportOptions::degrees concerns
+    MapSystem system = {}; ///< of the coordinates as they were read, of a map
 };
 
 /// Collects the content of a file that readers leave out, each kind once with its count, in the order of first

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/progress.hpp"
+#include "core/engine/domain/part_names.hpp"
 #include "core/files/source/overlap_rule.hpp"
 #include "core/files/source/picture_sizes.hpp"
 
@@ -11,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace FOREFRONT_API forefront {
 
@@ -53,6 +55,9 @@ struct ImportOptions {
     /// The coordinate reference system that maps and rasters are converted to, such as "EPSG:3067"; empty: they stay in
     /// their own. Needs the component forefront-gdal.
     std::string projection = {};
+    /// Names for parts of the boundary of a map, with places in the coordinates of the file; they are converted with
+    /// it. Unused for other formats, whose domains nameParts() can name.
+    std::vector<PartName> partNames = {};
     bool strict = false;     ///< refuse a drawing or map that would have to be changed
     bool beyondPage = false; ///< keep the parts of filled shapes outside the page (view box) of an SVG drawing
     /// Leave out the lines of a drawing or map that has filled shapes or polygons: paths without a fill, and line

@@ -20,10 +20,14 @@ std::size_t nameBytes(std::string_view name) {
 std::size_t attributesBytes(const std::vector<NetcdfAttribute> &attributes) {
     std::size_t bytes = 8;
     for (const NetcdfAttribute &attribute : attributes) {
-        const auto *const text = std::get_if<std::string>(&attribute.value);
         bytes += nameBytes(attribute.name) + 8;
-        bytes +=
-            text != nullptr ? padded(text->size()) : 4 * std::get<std::vector<std::int32_t>>(attribute.value).size();
+        if (const auto *const text = std::get_if<std::string>(&attribute.value)) {
+            bytes += padded(text->size());
+        } else if (const auto *const reals = std::get_if<std::vector<double>>(&attribute.value)) {
+            bytes += 8 * reals->size();
+        } else {
+            bytes += 4 * std::get<std::vector<std::int32_t>>(attribute.value).size();
+        }
     }
     return bytes;
 }
@@ -50,6 +54,14 @@ class HeaderWriter {
             if (const auto *const value = std::get_if<std::string>(&attribute.value)) {
                 number(Char);
                 name(*value); // laid out as a name is
+                continue;
+            }
+            if (const auto *const reals = std::get_if<std::vector<double>>(&attribute.value)) {
+                number(Double);
+                number(reals->size());
+                for (const double value : *reals) {
+                    numbers_.real(value);
+                }
                 continue;
             }
             const auto &values = std::get<std::vector<std::int32_t>>(attribute.value);

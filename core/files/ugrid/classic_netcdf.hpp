@@ -32,10 +32,10 @@ class BigEndian {
     TextWriter &out_;
 };
 
-/// An attribute: a text, or integers.
+/// An attribute: a text, integers or numbers.
 struct NetcdfAttribute {
     std::string name;
-    std::variant<std::string, std::vector<std::int32_t>> value;
+    std::variant<std::string, std::vector<std::int32_t>, std::vector<double>> value;
 };
 
 /// A variable of integers or doubles.

@@ -4,6 +4,7 @@
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/ugrid/classic_netcdf.hpp"
+#include "core/files/ugrid/ugrid_system.hpp"
 
 #include <algorithm>
 #include <array>
@@ -57,6 +58,13 @@ std::vector<NetcdfAttribute> flags(const char *location, const char *title,
     return attributes;
 }
 
+/// Refers to the reference system of the coordinates, if it is known.
+void addMapping(const MapSystem &system, NetcdfVariable &variable) {
+    if (system.known()) {
+        variable.attributes.push_back({"grid_mapping", systemVariable(system)});
+    }
+}
+
 NetcdfVariable topology() {
     return {"mesh2d",
             {},
@@ -74,36 +82,44 @@ NetcdfVariable topology() {
             [](BigEndian &values) { values.integer(0); }};
 }
 
-NetcdfVariable coordinates(const char *name, const char *standard, const MeshView &mesh, double Vec2::*part) {
-    return {name,
-            {0},
-            {{"units", std::string("m")},
-             {"standard_name", std::string(standard)},
-             {"mesh", std::string("mesh2d")},
-             {"location", std::string("node")}},
-            true,
-            [&mesh, part](BigEndian &values) {
-                for (const Vec2 node : mesh.nodes) {
-                    values.real(node.*part);
-                }
-            }};
+/// Returns the x or y of the nodes: projected coordinates in metres, or longitudes and latitudes.
+NetcdfVariable coordinates(const MeshView &mesh, bool isX, const MapSystem &system) {
+    const char *const standard = system.geographic ? (isX ? "longitude" : "latitude")
+                                                   : (isX ? "projection_x_coordinate" : "projection_y_coordinate");
+    const char *const unit = !system.geographic ? "m" : isX ? "degrees_east" : "degrees_north";
+    NetcdfVariable variable{isX ? "mesh2d_node_x" : "mesh2d_node_y",
+                            {0},
+                            {{"units", std::string(unit)},
+                             {"standard_name", std::string(standard)},
+                             {"mesh", std::string("mesh2d")},
+                             {"location", std::string("node")}},
+                            true,
+                            [&mesh, isX](BigEndian &values) {
+                                for (const Vec2 node : mesh.nodes) {
+                                    values.real(isX ? node.x : node.y);
+                                }
+                            }};
+    addMapping(system, variable);
+    return variable;
 }
 
-NetcdfVariable elevations(const MeshView &mesh) {
-    return {"mesh2d_node_z",
-            {0},
-            {{"units", std::string("m")},
-             {"standard_name", std::string("altitude")},
-             {"long_name", std::string("elevation of the bed")},
-             {"mesh", std::string("mesh2d")},
-             {"location", std::string("node")},
-             {"coordinates", std::string("mesh2d_node_x mesh2d_node_y")}},
-            true,
-            [&mesh](BigEndian &values) {
-                for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-                    values.real(mesh.elevation(n));
-                }
-            }};
+NetcdfVariable elevations(const MeshView &mesh, const MapSystem &system) {
+    NetcdfVariable variable{"mesh2d_node_z",
+                            {0},
+                            {{"units", std::string("m")},
+                             {"standard_name", std::string("altitude")},
+                             {"long_name", std::string("elevation of the bed")},
+                             {"mesh", std::string("mesh2d")},
+                             {"location", std::string("node")},
+                             {"coordinates", std::string("mesh2d_node_x mesh2d_node_y")}},
+                            true,
+                            [&mesh](BigEndian &values) {
+                                for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+                                    values.real(mesh.elevation(n));
+                                }
+                            }};
+    addMapping(system, variable);
+    return variable;
 }
 
 NetcdfVariable faceNodes(const MeshView &mesh, std::uint32_t most) {
@@ -126,7 +142,7 @@ NetcdfVariable faceNodes(const MeshView &mesh, std::uint32_t most) {
 
 } // namespace
 
-void writeUgrid(const MeshView &mesh, TextWriter &out) {
+void writeUgrid(const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
     const FileNames names = ugridNames(tagsOf(mesh));
     const UgridEdges edges(mesh);
     std::uint32_t most = 3;
@@ -141,9 +157,12 @@ void writeUgrid(const MeshView &mesh, TextWriter &out) {
                        {"mesh2d_nMax_face_nodes", most},
                        {"Two", 2}};
     file.variables.push_back(topology());
-    file.variables.push_back(coordinates("mesh2d_node_x", "projection_x_coordinate", mesh, &Vec2::x));
-    file.variables.push_back(coordinates("mesh2d_node_y", "projection_y_coordinate", mesh, &Vec2::y));
-    file.variables.push_back(elevations(mesh));
+    if (options.system.known()) {
+        file.variables.push_back(systemOf(options.system));
+    }
+    file.variables.push_back(coordinates(mesh, true, options.system));
+    file.variables.push_back(coordinates(mesh, false, options.system));
+    file.variables.push_back(elevations(mesh, options.system));
     file.variables.push_back(
         {"mesh2d_edge_nodes",
          {1, 4},

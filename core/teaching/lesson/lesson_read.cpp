@@ -32,6 +32,7 @@ class LessonReader {
         if (const auto version = check_.member(root, "version", "the lesson")) {
             check_.integer(*version, 1, kLessonVersion, "\"version\"");
         }
+        check_.refuseRepeats(root);
         expectMembers(check_, root, kLessonMembers, "the lesson");
         Lesson lesson;
         if (const auto title = check_.member(root, "title", "the lesson")) {
