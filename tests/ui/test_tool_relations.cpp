@@ -13,7 +13,7 @@ namespace {
 /// Draws a triangle to which later nodes may be level, and finds relations.
 void drawReference(Draughtsman &driver) {
     Shape shape;
-    shape.nodes = {{1, 1}, {3, 1}, {1, 3}};
+    shape.nodes = {{1, 1}, {3, 1}, {3, 3}};
     driver.context().document.apply(*addShape({}, shape), "Draw");
     driver.context().snapping.infers = true;
     driver.context().snapping.toGrid = false;
@@ -38,18 +38,18 @@ TEST_CASE("Relations: corners of rectangles and centres of circles are level wit
     drawReference(driver);
     driver.key('R');
     clickNear(driver, {5, 1}, {0, 3});
-    clickNear(driver, {7, 3}, {0, 3});
+    clickNear(driver, {6, 3}, {0, 3});
     CHECK(drawn(driver).nodes[0].y == 1.0);
     CHECK(drawn(driver).nodes[1].y == 3.0);
     driver.key('Z', kControl);
     driver.key('C');
-    clickNear(driver, {6, 3}, {0, -3});
+    clickNear(driver, {5, 3}, {0, -3});
     clickNear(driver, {7, 4}, {0, 0});
     CHECK(drawn(driver).nodes[0].y == 3.0);
     driver.key('Z', kControl);
     driver.key('C');
     driver.hold(kControl, true);
-    clickNear(driver, {6, 3}, {0, -3});
+    clickNear(driver, {5, 3}, {0, -3});
     driver.hold(kControl, false);
     clickNear(driver, {7, 4}, {0, 0});
     CHECK(drawn(driver).nodes[0].y != 3.0);

@@ -64,9 +64,9 @@ TEST_CASE("Unit: the dialog scales the drawing or keeps its numbers, in one step
     Draughtsman driver;
     drawIn(driver, LengthUnit::Millimetre);
     openUnit(driver);
-    driver.click("dialog/unit/unit/2"); // centimetres
+    driver.click("dialog/unit/unit/cm"); // centimetres
     driver.settle();
-    REQUIRE(driver.has("dialog/unit/way/0"));
+    REQUIRE(driver.has("dialog/unit/way/Scale the coordinates"));
     driver.click("dialog/unit/ok");
     driver.settle();
     CHECK(driver.document().unit == LengthUnit::Centimetre);
@@ -77,16 +77,16 @@ TEST_CASE("Unit: the dialog scales the drawing or keeps its numbers, in one step
     CHECK(driver.document().unit == LengthUnit::Millimetre);
     CHECK(corner(driver).x == 5.0);
     openUnit(driver);
-    driver.click("dialog/unit/unit/3"); // metres
-    driver.click("dialog/unit/way/1");
+    driver.click("dialog/unit/unit/m"); // metres
+    driver.click("dialog/unit/way/Keep the numbers");
     driver.key(key::kEnter);
     driver.settle();
     CHECK(driver.document().unit == LengthUnit::Metre);
     CHECK(corner(driver).x == 5.0);
     openUnit(driver);
-    driver.click("dialog/unit/unit/0");
+    driver.click("dialog/unit/unit/None");
     driver.settle();
-    CHECK_FALSE(driver.has("dialog/unit/way/0"));
+    CHECK_FALSE(driver.has("dialog/unit/way/Scale the coordinates"));
     driver.click("dialog/unit/cancel");
     driver.settle();
     CHECK(driver.document().unit == LengthUnit::Metre);

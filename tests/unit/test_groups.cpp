@@ -70,7 +70,7 @@ TEST_CASE("Groups: copies are groups of their own") {
 TEST_CASE("Groups: a project keeps them, and one without groups is written as before") {
     const std::string text = projectText(fiveSquares());
     CHECK(text.find("\"group\": 1") != std::string::npos);
-    const Result<Document> read = parseProject(text);
+    const Result<Document> read = parseProject(text, "unit.json");
     REQUIRE(read.ok());
     CHECK(shapesGroupedWith(*read, 2) == Ids{1, 2});
     CHECK(projectText(*ungroupShapes(*read, {1})).find("\"group\"") == std::string::npos);

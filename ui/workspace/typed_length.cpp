@@ -21,7 +21,7 @@ std::string_view numberBefore(std::string_view text, std::string_view word) {
 
 } // namespace
 
-std::optional<TypedLength> typedLength(std::string_view text) {
+std::optional<TypedLength> parseTypedLength(std::string_view text) {
     text = trimmed(text);
     // "m" must come after the words that end with it.
     constexpr std::array<std::string_view, 11> kWords = {"mm", "cm", "km", "m",   "in",      "ft",
@@ -35,13 +35,13 @@ std::optional<TypedLength> typedLength(std::string_view text) {
 }
 
 std::string inUnit(const std::string &text, LengthUnit unit) {
-    const std::optional<TypedLength> typed = typedLength(text);
+    const std::optional<TypedLength> typed = parseTypedLength(text);
     const std::optional<double> factor = typed ? conversion(typed->unit, unit) : std::nullopt;
     return factor ? exactText(*factor * typed->value) : text;
 }
 
 std::string unitFault(const Document &document, std::string_view text) {
-    const std::optional<TypedLength> typed = typedLength(text);
+    const std::optional<TypedLength> typed = parseTypedLength(text);
     if (!typed) {
         return {};
     }

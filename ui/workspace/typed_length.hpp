@@ -18,7 +18,7 @@ struct TypedLength {
 };
 
 /// Returns the number and the unit of a text; none if it is not a number with a unit.
-std::optional<TypedLength> typedLength(std::string_view text);
+std::optional<TypedLength> parseTypedLength(std::string_view text);
 
 /// Returns a text with its unit converted: "2 in" is "50.8" in millimetres. A text without a unit of length stays as it
 /// is, and so do all where `unit` is none.
