@@ -2,8 +2,12 @@
 #include "ui/canvas/mesh_glide.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/workspace/checks_summary.hpp"
+#include "ui/workspace/view/follow_camera.hpp"
 
 #include <doctest/doctest.h>
+
+#include <array>
+#include <utility>
 
 using namespace forefront;
 using namespace forefront::test;
@@ -142,4 +146,32 @@ TEST_CASE("Improvement: the picture moves for a moment after a step, unless moti
         driver.settle();
         CHECK((driver.picture().differences(first, driver.canvas()) > 50) == !reduced);
     }
+}
+
+TEST_CASE("Improvement: T follows the place that a step changes, and stays there while all nodes move") {
+    MeshedSquare driver;
+    Document classic = driver.document(); // its mesh has edges to swap
+    classic.options.method = Method::Classic;
+    driver.context().document.apply(std::move(classic), "Method");
+    driver.key(key::kF5);
+    driver.settle();
+    improvement_steps::toFrontDone(driver);
+    driver.key('T');
+    driver.settle();
+    REQUIRE(
+        improvement_steps::stepTo(driver, [](const ImproveStep &step) { return step.change == ImproveChange::Swap; }));
+    const std::array<Vec2, 2> edge = driver.run().improvement->addedEdges.front();
+    const Box2 visible = driver.context().view.camera.visible();
+    for (const Vec2 end : edge) {
+        CHECK(visible.contains(end));
+    }
+    const double pixels = driver.context().view.camera.zoom * distance(edge[0], edge[1]);
+    CHECK(pixels > 30.0);
+    CHECK(pixels < 200.0);
+    const Camera there = driver.context().view.camera;
+    REQUIRE(
+        improvement_steps::stepTo(driver, [](const ImproveStep &step) { return step.change == ImproveChange::Sweep; }));
+    CHECK_FALSE(subjectOf(driver.run()).has_value());
+    CHECK(driver.context().view.following);
+    CHECK(driver.context().view.camera.zoom <= 1.5 * there.zoom);
 }

@@ -48,9 +48,9 @@ class ImprovementLayer final : public Layer {
             if (length < kVisible || !boxOf(move.from, move.to).overlaps(visible)) {
                 continue;
             }
-            painter.line(move.from, move.to, frame.theme.candidate, 1.5);
+            painter.line(move.from, move.to, frame.theme.accepted, 2.0);
             if (length > kNodeShown) {
-                painter.dot(move.to, 2.5, frame.theme.candidate);
+                painter.dot(move.to, 2.5, frame.theme.accepted);
             }
             if (++drawn == kMaxMoves) {
                 break;
