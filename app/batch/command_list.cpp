@@ -22,6 +22,7 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront formats            list the file formats          (forefront formats --help)
   forefront film IN -o GIF     film a run step by step        (forefront film --help)
   forefront trace IN -o JSON   write every advance of a run   (forefront trace --help)
+  forefront lesson FILE        check a lesson or write a page (forefront lesson --help)
   forefront run SCRIPT         carry out a script of commands (forefront run --help)
   forefront completion SHELL   completion of options for a shell (forefront completion --help)
   forefront help --man         print the manual page
@@ -39,7 +40,7 @@ Examples:
 Exit codes: 0 done, 1 input refused, 2 usage error, 3 cancelled, 4 no window (no display, or no OpenGL 3.3).
 )";
 
-constexpr std::array<NamedCommand, 13> kCommands = {{{"mesh", meshCommand},
+constexpr std::array<NamedCommand, 14> kCommands = {{{"mesh", meshCommand},
                                                      {"check", checkCommand},
                                                      {"adapt", adaptCommand},
                                                      {"convert", convertCommand},
@@ -47,6 +48,7 @@ constexpr std::array<NamedCommand, 13> kCommands = {{{"mesh", meshCommand},
                                                      {"formats", formatsCommand},
                                                      {"film", filmCommand},
                                                      {"trace", traceCommand},
+                                                     {"lesson", lessonCommand},
                                                      {"run", runCommand},
                                                      {"completion", completionCommand},
                                                      {"help", helpCommand},

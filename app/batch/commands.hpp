@@ -21,6 +21,7 @@ int filmCommand(const CommandLine &line);
 int tablesCommand(const CommandLine &line);
 int rulesCommand(const CommandLine &line);
 int traceCommand(const CommandLine &line);
+int lessonCommand(const CommandLine &line);
 int runCommand(const CommandLine &line);
 int completionCommand(const CommandLine &line);
 int helpCommand(const CommandLine &line);

@@ -222,6 +222,27 @@ class Meshing(Case):
         self.call("film", "few.json", "-o", "few.svg", code=1)
         self.call("mesh", "plate.poly", "--stats", "-", "--max-elements", "0", code=2)
 
+    def test_lessons_are_checked_and_written_as_pages(self):
+        self.write("square.json", PROJECT)
+        lesson = {"format": "forefront-lesson", "version": 1, "title": "L", "pages": [
+            {"title": "P", "text": "{front}", "document": "square.json", "position": 2,
+             "question": {"text": "q", "number": "front"}}]}
+
+        def check(code=0, *words):
+            self.write("lesson.json", json.dumps(lesson, indent=1))
+            return self.call("lesson", "lesson.json", *words, code=code)
+        self.assertIn("1 page, 1 question; no faults", check().stdout)
+        self.assertIn("wrote page.html", check(0, "-o", "page.html").stdout)
+        self.assertIn("FILE.html", check(2, "-o", "page.txt").stderr)
+        lesson["pages"][0]["position"] = 100000
+        self.assertRegex(check(1).stderr, r"lesson\.json:\d+:\d+: error: page 'P': position 100000 is beyond the end")
+        self.assertIn("[lesson-position]", check(1, "-o", "none.html").stderr)
+        self.assertFalse((self.path / "none.html").exists())
+        lesson["pages"][0].update(position=2, question={"text": "q", "until": {"value": "elements", "is": 1e6}})
+        self.assertIn("no position of the run fulfils the task", check(1).stderr)
+        lesson["pages"][0]["question"] = {"text": "q", "choices": [{"text": "a", "rigth": True}, {"text": "b"}]}
+        self.assertIn("unknown member 'rigth'", check(1).stderr)
+
     def test_long_kept_segments_give_no_flat_elements(self):
         steps = [(x, 0.0) for x in range(10)] + [(10.0, y) for y in range(6)] + [(x, 6.0) for x in range(10, 0, -1)] + [
             (0.0, y) for y in range(6, 0, -1)]

@@ -211,6 +211,73 @@ class Playing(unittest.TestCase):
             window.close()
 
 
+class Lessons(unittest.TestCase):
+    """Lessons written as pages: their texts, runs, questions and answers."""
+
+    LESSONS = DRAWINGS.parent
+
+    def write(self, name):
+        path = pathlib.Path(FOLDER.name) / (name + ".html")
+        subprocess.run([PROGRAM, "lesson", self.LESSONS / (name + ".json"), "-o", path], check=True, stdout=subprocess.DEVNULL)
+        return path
+
+    def answer(self, number):
+        self.window.evaluate(f"document.getElementById('typed').value = '{number}'")
+        self.window.click("#answers button")
+
+    def wait(self, what, condition):
+        for _ in range(200):
+            if self.window.evaluate(condition):
+                return
+            self.window.settle()
+        self.fail("no " + what)
+
+    def test_every_lesson_is_a_small_page_that_needs_nothing_else(self):
+        for lesson in sorted(self.LESSONS.glob("*.json")):
+            text = self.write(lesson.stem).read_text()
+            self.assertLess(len(text.encode()), 1_000_000, lesson.stem)
+            self.assertNotIn("http", re.sub(r'<script type="application/json".*?</script>', "", text, flags=re.S))
+
+    def test_questions_are_answered(self):
+        self.window = browser.Browser()
+        self.addCleanup(self.window.close)
+        self.window.open(self.write("1-front"))
+        self.assertEqual(self.window.text("#heading"), "A domain to fill")
+        self.answer("many")
+        self.assertIn("Expected a number", self.window.text("#reply"))
+        self.answer(33)
+        self.assertEqual(self.window.evaluate("document.getElementById('reply').className"), "wrong")
+        self.answer(34)
+        self.assertIn("starts as the 34 segments", self.window.text("#reply"))
+        self.window.click("#following")
+        self.window.click("#answers button:nth-child(1)")
+        self.assertIn("Count the sides", self.window.text("#reply"))
+        self.window.click("#answers button:nth-child(2)")
+        self.assertIn("33 segments", self.window.text("#reply"))
+        self.window.click("#following")
+        self.wait("run", "document.getElementById('player').srcdoc.length > 1000")
+        self.assertEqual(self.window.text("#reply"), "")
+        self.wait("answer", "document.getElementById('show').click() || document.getElementById('reply').className === 'right'")
+        self.assertIn("after 10 advances", self.window.text("#reply"))
+        self.assertEqual(self.window.complaints, [])
+
+    def test_a_candidate_is_chosen_by_a_click(self):
+        self.window = browser.Browser()
+        self.addCleanup(self.window.close)
+        self.window.open(self.write("2-ten-steps"))
+        for _ in range(2):
+            self.window.click("#following")
+        rows = "document.getElementById('player').contentDocument.querySelectorAll('#candidates tbody tr')"
+        self.wait("candidates", rows + ".length > 1")
+        wrong = self.window.evaluate(f"[...{rows}].findIndex((row) => row.lastChild.className !== 'accepted')")
+        self.window.evaluate(f"{rows}[{wrong}].click()")
+        self.wait("reply", "document.getElementById('reply').className === 'wrong'")
+        for k in range(self.window.evaluate(rows + ".length")):
+            self.window.evaluate(f"{rows}[{k}] && {rows}[{k}].click()")
+        self.wait("answer", "document.getElementById('reply').className === 'right'")
+        self.assertEqual(self.window.complaints, [])
+
+
 if __name__ == "__main__":
     if browser.program() is None:
         print("no browser found")

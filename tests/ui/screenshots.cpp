@@ -201,6 +201,20 @@ std::vector<Shot> scenes() {
                  driver.context().run.seek(60);
                  driver.showPanel("candidates");
              }},
+            {"improvement-front",
+             [](Driver &driver) {
+                 driver.workspace(WorkspaceKind::Step);
+                 driver.context().run.seek(driver.run().known);
+             }},
+            {"improvement-swap", [](Driver &driver) { driver.context().run.step(Granularity::Advance, 1); }},
+            {"improvement-sweep",
+             [](Driver &driver) {
+                 while (!driver.run().atEnd() &&
+                        !(driver.run().improvement && driver.run().improvement->change == ImproveChange::Sweep)) {
+                     driver.context().run.step(Granularity::Advance, 1);
+                     driver.settle();
+                 }
+             }},
             {"rules",
              [](Driver &driver) {
                  driver.context().document.apply(ruledBy(driver.context(), {.radius = 2.0}), "Rules");

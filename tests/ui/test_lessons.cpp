@@ -1,3 +1,4 @@
+#include "core/teaching/lesson/lesson_names.hpp"
 #include "core/teaching/moment/moment.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/lessons/highlight_names.hpp"
@@ -93,7 +94,7 @@ class Learner : public Driver {
 /// depend on the run, read from the statistics and the captions of films that the batch program writes.
 const std::map<std::string, std::vector<std::string>> &rightAnswers() {
     static const std::map<std::string, std::vector<std::string>> kAnswers = {
-        {"1-front", {"34", "2", "", "1", "", "2"}},      {"2-ten-steps", {"2", "1", "", "", "1"}},
+        {"1-front", {"34", "2", "", "1", "", "2", "2"}}, {"2-ten-steps", {"2", "1", "", "", "1"}},
         {"3-ideal-point", {"1", "3", "0.99", "", "1"}},  {"4-rejections", {"1", "2", "", "3", ""}},
         {"5-background-grid", {"1", "", "2", "3", "3"}}, {"6-spacing", {"2", "7", "1", "0.93", "2"}},
         {"7-closing", {"1", "3", "29", "2", "3"}},       {"8-classic-and-fast", {"3", "2", "2", "1", "3", "2"}}};
@@ -399,6 +400,24 @@ TEST_CASE("Lessons: more events than an advance has are logged") {
     CHECK(logged.front().message ==
           "200 events are more than advance 7 has; the page begins after " + std::to_string(reached) + " advances");
     CHECK(logged.front().line == 2);
+}
+
+TEST_CASE("Lessons: a check without a window knows the names of the editor") {
+    Learner learner;
+    const LessonNames names = editorNames();
+    const auto sorted = [](std::vector<std::string> list) {
+        std::sort(list.begin(), list.end());
+        return list;
+    };
+    const auto shown = highlightNames(learner.context());
+    CHECK(names.widgets.size() == shown.size());
+    for (const auto &[group, list] : shown) {
+        CAPTURE(group);
+        REQUIRE(names.widgets.count(group) == 1);
+        CHECK(sorted(names.widgets.at(group)) == sorted(list));
+    }
+    CHECK(names.layers.size() == learner.context().layers.size());
+    CHECK(names.panels.size() == learner.context().panels.size());
 }
 
 TEST_CASE("Lessons: the rows of the statistics are those that a lesson may name") {

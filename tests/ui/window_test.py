@@ -123,6 +123,11 @@ class Window:
         self.xdotool("mouseup", 1)
 
 
+def position(state):
+    """Returns the position on the timeline: advances, then steps of the improvement."""
+    return state["run"]["advance"] + state["run"]["improveStep"]
+
+
 def run(program, folder):
     window = Window(program, folder)
     try:
@@ -184,11 +189,11 @@ def run(program, folder):
 
         print("stepping back three times")
         for _ in range(3):
-            before = window.state()["run"]["advance"]
+            before = position(window.state())
             window.key("comma")
-            window.wait("a step back", lambda s: s["run"]["advance"] == before - 1)
+            window.wait("a step back", lambda s: position(s) == before - 1)
         back = window.state()["run"]
-        if back["advance"] != back["known"] - 3:
+        if back["advance"] + back["improveStep"] != back["known"] + back["improveSteps"] - 3:
             raise Failure(f"not three steps before the end: {back}")
 
         print("exporting")

@@ -1,5 +1,4 @@
 #include "core/files/files.hpp"
-#include "core/teaching/moment/moment.hpp"
 #include "ui/dialogs/changed_file.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/editor/apply_settings.hpp"
@@ -137,15 +136,13 @@ void Editor::Parts::followFront(double seconds) {
         return;
     }
     constexpr double kLongestFrame = 1.0 / 30.0; // the first frame after a pause must not jump
-    const Moment moment = momentOf(context.run.now());
-    if (!moment) {
+    const std::optional<FollowCamera::Subject> subject = subjectOf(context.run.now());
+    if (!subject) {
         return;
     }
-    const AdvanceExplanation &advance = *moment.advance;
     constexpr double kAtOnce = 1e3;
     const double time = context.settings.reduceMotion ? kAtOnce : std::min(seconds, kLongestFrame);
-    if (follower.follow(context.view, {boxOf(advance), distance(advance.a, advance.b)}, time,
-                        static_cast<double>(context.scale))) {
+    if (follower.follow(context.view, *subject, time, static_cast<double>(context.scale))) {
         context.animate();
     }
 }

@@ -54,6 +54,7 @@ void writeStateFile(const std::filesystem::path &file, Editor &editor) {
     json.key("camera").values(std::array{camera.centre.x, camera.centre.y, camera.zoom});
     json.key("run").beginObject().member("number", run.run).member("state", stateName(run.state));
     json.member("advance", run.advance).member("known", run.known).member("complete", run.complete);
+    json.member("improveStep", run.improveStep).member("improveSteps", run.improveSteps);
     json.member("elements", run.quality.elements);
     json.member("stateHash", toHex(run.stateHash)).member("meshHash", toHex(run.meshHash)).endObject();
     json.member("messages", c.log.entries().size());

@@ -31,6 +31,8 @@ std::unique_ptr<Layer> makeFrontLayer();
 std::unique_ptr<Layer> makeCandidatesLayer();
 /// Draws the candidate segments of this step and the segments of Γ they are tested against.
 std::unique_ptr<Layer> makeTestsLayer();
+/// Draws what this step of the improvement changed.
+std::unique_ptr<Layer> makeImprovementLayer();
 /// Writes the names of boundary parts.
 std::unique_ptr<Layer> makeLabelsLayer();
 /// Writes the numbers of nodes and elements, close up.

@@ -33,6 +33,9 @@ bool coloursByAlpha(const LayerFrame &frame) {
 /// Returns the mesh to draw. While values of a newer mesh are being computed, the colours are shown on the mesh that
 /// they belong to; α is computed with the mesh.
 const std::shared_ptr<const MeshSnapshot> &meshShown(const LayerFrame &frame) {
+    if (frame.gliding && !(frame.visible("quality") && !coloursByAlpha(frame))) {
+        return frame.gliding;
+    }
     const bool earlier =
         frame.visible("quality") && !coloursByAlpha(frame) && frame.snapshot.mesh && frame.judgement.of.mesh;
     return earlier ? frame.judgement.of.mesh : frame.snapshot.mesh;

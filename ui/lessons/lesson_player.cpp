@@ -1,7 +1,6 @@
 #include "ui/lessons/lesson_player.hpp"
 
-#include "core/drawing_files/documents.hpp"
-#include "core/files/files.hpp"
+#include "core/teaching/lesson/lesson_file.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/lessons/highlight_names.hpp"
 #include "ui/parts/shell.hpp"
@@ -21,7 +20,7 @@ namespace {
 
 /// Returns true if two snapshots show the same moment of the same run.
 bool showSameMoment(const SessionSnapshot &a, const SessionSnapshot &b) {
-    return a.shownRun == b.shownRun && a.advance == b.advance && a.eventCursor == b.eventCursor &&
+    return a.shownRun == b.shownRun && a.position() == b.position() && a.eventCursor == b.eventCursor &&
            a.eventCount == b.eventCount;
 }
 
@@ -30,9 +29,6 @@ const LessonTask *taskOf(const OpenLesson &open) {
     const auto &question = open.now().question;
     return question ? std::get_if<LessonTask>(&question->answer) : nullptr;
 }
-
-/// Files beyond this size are no lessons.
-constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
 
 void rememberProgress(Shell &context) {
     const OpenLesson &open = *context.lessons.open;
@@ -184,10 +180,6 @@ void showPage(Shell &context) {
 } // namespace
 
 Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file) {
-    const Result<std::string> bytes = readRegularFile(file, kMaxBytes);
-    if (!bytes) {
-        return bytes.faults();
-    }
     LessonNames names;
     for (const LayerSlot &slot : context.layers) {
         names.layers.emplace_back(slot.layer->id());
@@ -196,16 +188,8 @@ Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &fil
         names.panels.emplace_back(panel->id());
     }
     names.widgets = highlightNames(context);
-    names.document = [folder = file.parent_path()](const std::string &name) {
-        ImportOptions options;
-        options.regularFile = true;
-        return readDocument(folder / name, options);
-    };
-    SourceText source;
-    source.text = *bytes;
-    source.name = file.string();
-    source.path = file;
-    return readLesson(source, names);
+    Result<LessonFile> read = readLessonFile(file, std::move(names));
+    return read ? Result<Lesson>(std::move(read->lesson)) : Result<Lesson>(read.faults());
 }
 
 void listLessons(Shell &context) {
@@ -426,7 +410,7 @@ void logPage(Shell &context, Severity severity, LessonPlace place, const char *c
 
 void checkPosition(Shell &context, const LessonPosition &position) {
     const SessionSnapshot &run = context.run.now();
-    if (run.complete && !position.atEnd && position.advance > run.known) {
+    if (run.complete && !position.atEnd && position.advance > run.length()) {
         const std::string all = std::to_string(run.known);
         logPage(context, Severity::Warning, position.place, "lesson-position",
                 "position " + std::to_string(position.advance) + " is beyond the end of the run, which has " + all +

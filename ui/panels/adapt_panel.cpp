@@ -84,14 +84,13 @@ class AdaptPanel final : public Panel {
 
     void drawTarget(Shell &context) {
         form::label(context, "Error, %");
-        const float half = form::halfWidth(context);
-        if (double percent = percent_; ui::inputNumber(context, "adapt/error", percent, half) &&
+        if (double percent = percent_; ui::inputNumber(context, "adapt/error", percent, form::halfWidth(context)) &&
                                        ui::checkRange(context, "adapt/error", percent, kLeastPercent, kMostPercent)) {
             percent_ = percent;
         }
         ui::tooltip(context, "Target: estimated error of the gradient, relative to its norm");
-        ImGui::SameLine();
-        if (double rounds = rounds_; ui::inputNumber(context, "adapt/rounds", rounds, half) &&
+        form::label(context, "Rounds, max.");
+        if (double rounds = rounds_; ui::inputNumber(context, "adapt/rounds", rounds, form::halfWidth(context)) &&
                                      ui::checkWhole(context, "adapt/rounds", rounds, 1.0, kMaxRounds)) {
             rounds_ = rounds;
         }
@@ -118,6 +117,9 @@ class AdaptPanel final : public Panel {
         const SessionSnapshot &shown = run.now();
         if (!shown.mesh || shown.mesh->mesh.elements.empty() || !shown.complete) {
             return "Mesh the drawing, or open a mesh, to adapt it.";
+        }
+        if (!shown.atEnd()) {
+            return "Go to the end of the run (End) to adapt its mesh.";
         }
         // Live meshing may have yet to follow, so the state "out of date" is not enough.
         if (!run.showsFile() && (run.shownRevision() != run.meshRevision() || run.preview())) {

@@ -113,7 +113,7 @@ class StatisticsPanel final : public Panel {
         cell(context, "forced", ui::count(w.forced), "Elements made from existing nodes only, to close the front");
         cell(context, "improve", timeText(run.secondsImprove), "CPU time spent swapping edges and smoothing");
         cell(context, "hash",
-             run.meshHash != 0 && run.advance == run.known
+             run.meshHash != 0 && run.atEnd()
                  ? ui::format("%08x\xe2\x80\xa6", static_cast<unsigned>(run.meshHash >> 32))
                  : std::string("\xe2\x80\x93"),
              "Two meshes are identical bit for bit if and only if their hashes are equal");

@@ -51,9 +51,10 @@ struct LayerFrame {
     ColourMap measureMap;        ///< ... and their map
     MeasureBounds measureBounds; ///< beyond which values are bad
     bool outOfDate;
-    double fresh;                           ///< of the elements of this step: 1 when they appear, 0 from 250 ms on
-    std::shared_ptr<const Picture> picture; ///< of the document; null: none, or it is not there
-    bool pictureFailed;                     ///< the document has a picture that cannot be read
+    double fresh;                                ///< of the elements of this step: 1 when they appear, 0 from 250 ms on
+    std::shared_ptr<const MeshSnapshot> gliding; ///< the mesh on its way to that of the snapshot; null: it is there
+    std::shared_ptr<const Picture> picture;      ///< of the document; null: none, or it is not there
+    bool pictureFailed;                          ///< the document has a picture that cannot be read
     const std::vector<LayerSlot> &layers;
     GlKit &gl;                  ///< shared shaders and buffers
     DrawSlice *slice = nullptr; ///< the part of a large mesh that drawStill() draws; null: all

@@ -6,6 +6,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/glide.hpp"
 #include "ui/canvas/legend.hpp"
+#include "ui/canvas/mesh_glide.hpp"
 #include "ui/gl/draw_pace.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/mesh_batch.hpp"
@@ -88,6 +89,8 @@ struct Canvas::Parts {
     Glide glide;
     const AdvanceExplanation *stepped = nullptr; ///< whose elements were shown last, if any
     double steppedAt = -1e300, fresh = 0.0;      ///< see LayerFrame::fresh
+    bool appears = false;                        ///< that step has made or changed something
+    MeshGlide meshGlide;
 
     Box2 rasterBox;
     double rasterZoom = 0.0;
@@ -134,12 +137,14 @@ void Canvas::Parts::followSteps(Shell &context) {
     constexpr double kSeconds = 0.25;
     const Moment moment = momentOf(context.run.now());
     const AdvanceExplanation *const now = moment && moment.updated ? moment.advance : nullptr;
-    if (now != stepped) {
+    const bool improved = meshGlide.follow(context.run.now());
+    if (now != stepped || improved) {
         stepped = now;
         steppedAt = context.platform.now();
+        appears = now != nullptr || improved;
     }
     const double left = 1.0 - (context.platform.now() - steppedAt) / kSeconds;
-    fresh = now != nullptr && !context.settings.reduceMotion ? std::max(0.0, left) : 0.0;
+    fresh = appears && !context.settings.reduceMotion ? std::max(0.0, left) : 0.0;
     if (fresh > 0.0) {
         context.animate();
     }
@@ -213,6 +218,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .measureBounds = measureBounds(context),
             .outOfDate = context.run.outOfDate(),
             .fresh = fresh,
+            .gliding = meshGlide.at(fresh),
             .picture = context.pictures.shown(),
             .pictureFailed = context.pictures.failed(),
             .layers = context.layers,

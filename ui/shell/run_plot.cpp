@@ -59,7 +59,8 @@ Range rangeOf(const RunCurves &curves, const PlotCurve &curve) {
     return range;
 }
 
-void drawCurve(WidgetContext &context, const RunCurves &curves, const PlotCurve &curve, const Frame &frame) {
+void drawCurve(WidgetContext &context, const SessionSnapshot &run, const PlotCurve &curve, const Frame &frame) {
+    const RunCurves &curves = *run.curves;
     const Range range = rangeOf(curves, curve);
     const float scale = (frame.bottom - frame.top) / std::max(range.to - range.from, 1e-6F);
     std::vector<ImVec2> points;
@@ -67,7 +68,7 @@ void drawCurve(WidgetContext &context, const RunCurves &curves, const PlotCurve 
     for (std::size_t i = 0; i < curves.samples.size(); ++i) {
         const double from = static_cast<double>(i * curves.advancesPerSample);
         const double to =
-            std::min(static_cast<double>(frame.axis.known), from + static_cast<double>(curves.advancesPerSample));
+            std::min(static_cast<double>(run.known), from + static_cast<double>(curves.advancesPerSample));
         const float height = scale * (curves.samples[i].*curve.value - range.from);
         points.push_back({frame.axis.x(0.5 * (from + to)), frame.bottom - height});
     }
@@ -120,21 +121,21 @@ void drawRunPlot(Shell &context, const TimeAxis &axis, float top) {
     const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
     list.PushClipRect({axis.left, frame.top - context.px(2)}, {axis.right, frame.bottom + context.px(2)}, true);
     for (const PlotCurve &curve : curvesOf(context.theme)) {
-        drawCurve(context, *run.curves, curve, frame);
+        drawCurve(context, run, curve, frame);
     }
-    const float here = axis.x(static_cast<double>(run.advance));
+    const float here = axis.x(static_cast<double>(run.position()));
     list.AddLine({here, frame.top}, {here, frame.bottom}, context.theme.accent, context.px(1.5));
-    std::uint64_t shown = run.advance;
+    std::uint64_t shown = run.position();
     if (active || hovered) {
-        shown = axis.advanceAt(ImGui::GetIO().MousePos.x);
+        shown = axis.positionAt(ImGui::GetIO().MousePos.x);
         const float x = axis.x(static_cast<double>(shown));
         list.AddLine({x, frame.top}, {x, frame.bottom}, context.theme.muted, 1.0F);
     }
     list.PopClipRect();
-    if (active && shown != run.advance) {
+    if (active && shown != run.position()) {
         context.run.seek(shown);
     } else if (hovered) {
-        ui::tooltip(context, "Advance " + ui::count(shown));
+        ui::tooltip(context, positionName(run, shown));
     }
     const std::size_t last = run.curves->samples.size() - 1;
     const auto index = static_cast<std::size_t>(shown / run.curves->advancesPerSample);

@@ -193,7 +193,7 @@ void addFigures(Cells &cells, Shell &context) {
             if (cells.clicked("quality")) {
                 context.actions.run("run.worst", context);
             }
-            ui::tooltip(context, run.complete && run.advance < run.known
+            ui::tooltip(context, run.complete && !run.atEnd()
                                      ? "Smallest angle so far; the mesh is improved at the end. Click to go to the "
                                        "worst element"
                                      : ui::format("Smallest angle; the mean shape factor is %.3f. Click to go to the "
@@ -203,7 +203,7 @@ void addFigures(Cells &cells, Shell &context) {
         if (cells.addRight("counts", elementsInShort(run.quality), context.theme.text)) {
             cells.clicked("counts");
             const bool counted = run.quality.kinds != MeshQuality{}.kinds; // not while the mesh is being made
-            const bool whole = run.complete && run.meshHash != 0 && run.advance == run.known;
+            const bool whole = run.meshHash != 0 && run.atEnd();
             ui::tooltip(context, (counted ? elementsInWords(run.quality.kinds) : std::string("Triangles")) + ", " +
                                      ui::count(run.quality.nodes) + " nodes" +
                                      (whole ? "; hash " + toHex(run.meshHash).substr(0, 8) : std::string()));
@@ -294,7 +294,7 @@ std::vector<ContextGroup> statusMenu(const Shell &context) {
         copies.push_back(copyCommand("status/quality", "Copy shape factor and smallest angle",
                                      ui::format("%.6g\t%.6g", run.quality.alphaMean, run.quality.minAngle)));
     }
-    if (run.complete && run.meshHash != 0 && run.advance == run.known) {
+    if (run.meshHash != 0 && run.atEnd()) {
         copies.push_back(copyCommand("status/hash", "Copy mesh hash", toHex(run.meshHash)));
     }
     return {std::move(copies), actionsOf({"view.firstFault"}),

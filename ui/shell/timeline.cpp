@@ -55,12 +55,12 @@ ContextGroup markSwitches(const Shell &context) {
     return group;
 }
 
-/// Opens the menu of the timeline; on its bar, for the advance under the pointer.
-void openTimelineMenu(Shell &context, std::optional<std::uint64_t> advance) {
+/// Opens the menu of the timeline; on its bar, for the position under the pointer.
+void openTimelineMenu(Shell &context, std::optional<std::uint64_t> position) {
     ContextGroup go;
-    if (advance) {
-        go.push_back(
-            commandOf("goTo", "Go to advance " + ui::count(*advance), [advance](Shell &c) { c.run.seek(*advance); }));
+    if (position) {
+        const std::string name = startLowered(positionName(context.run.now(), *position));
+        go.push_back(commandOf("goTo", "Go to " + name, [position](Shell &c) { c.run.seek(*position); }));
     }
     for (ContextItem &item : actionsOf({"run.start", "run.end", "run.nextStop", "run.previousStop"})) {
         go.push_back(std::move(item));
@@ -75,19 +75,23 @@ TimeAxis drawScrubber(Shell &context, float width, float height) {
     const SessionSnapshot &run = context.run.now();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ui::hitArea("##scrubber", width, height);
-    ui::mark(context, "timeline/scrubber", run.known > 0);
+    ui::mark(context, "timeline/scrubber", run.length() > 0);
     // The last move and the release may arrive in the same frame.
     const bool active = ImGui::IsItemActive() || ImGui::IsItemDeactivated(), hovered = ImGui::IsItemHovered();
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const Theme &theme = context.theme;
     const float middle = at.y + height / 2, half = context.px(3);
-    const TimeAxis axis{at.x + context.px(7), at.x + width - context.px(7), run.known};
+    const TimeAxis axis{at.x + context.px(7), at.x + width - context.px(7), run.length()};
     list.AddRectFilled({axis.left, middle - half}, {axis.right, middle + half}, theme.raised, half);
-    if (run.known == 0) {
+    if (run.length() == 0) {
         return axis;
     }
     drawMarks(context, axis, middle);
-    const float x = axis.x(static_cast<double>(run.advance));
+    if (run.improveSteps > 0) { // another shade for the improvement
+        list.AddRectFilled({axis.x(static_cast<double>(run.known)), middle - half}, {axis.right, middle + half},
+                           fade(theme.good, 0.45), half);
+    }
+    const float x = axis.x(static_cast<double>(run.position()));
     list.AddRectFilled({axis.left, middle - half}, {x, middle + half}, theme.accent, half);
     list.AddCircleFilled({x, middle}, context.px(active ? 7.5 : hovered ? 7.0 : 6.0), theme.text, 24);
     list.AddCircleFilled({x, middle}, context.px(3), theme.accent, 16);
@@ -95,14 +99,14 @@ TimeAxis drawScrubber(Shell &context, float width, float height) {
         return axis;
     }
     const std::optional<TimelineMark> mark = markUnderPointer(context, axis, middle);
-    const std::uint64_t advance = mark ? mark->advance : axis.advanceAt(ImGui::GetIO().MousePos.x);
+    const std::uint64_t position = mark ? mark->advance : axis.positionAt(ImGui::GetIO().MousePos.x);
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-        openTimelineMenu(context, context.run.showsFile() ? std::nullopt : std::optional(advance));
+        openTimelineMenu(context, context.run.showsFile() ? std::nullopt : std::optional(position));
     }
-    if (active && advance != run.advance) {
-        context.run.seek(advance);
+    if (active && position != run.position()) {
+        context.run.seek(position);
     } else if (!active) {
-        ui::tooltip(context, "Advance " + ui::count(advance) + (mark ? ": " + startLowered(markName(mark->kind)) : ""));
+        ui::tooltip(context, positionName(run, position) + (mark ? ": " + startLowered(markName(mark->kind)) : ""));
     }
     return axis;
 }
@@ -164,7 +168,7 @@ std::string stateText(const Shell &context) {
     default:
         break;
     }
-    const bool atEnd = run.complete && run.advance == run.known;
+    const bool atEnd = run.atEnd();
     if (context.run.showsFile()) {
         return context.run.showsAdapted()
                    ? "A mesh of the rounds of Adapt, without its front; mesh the drawing to watch a front."
@@ -175,6 +179,14 @@ std::string stateText(const Shell &context) {
     }
     if (atEnd && run.coarsening > 1.0) {
         return "A preview with " + ui::number(run.coarsening, 2) + " times the node spacing of the drawing.";
+    }
+    if (run.improvement) {
+        return caption(*run.improvement, run.improveSteps);
+    }
+    if (run.frontDone() && run.improveSteps > 0 && run.improveStep == 0 && run.eventCursor >= run.eventCount) {
+        return "\xce\x93 = \xe2\x88\x85: the mesh as the front leaves it. " +
+               (run.improveSteps == 1 ? std::string("One step of improvement follows.")
+                                      : ui::count(run.improveSteps) + " steps of improvement follow.");
     }
     if (atEnd && (run.improved || run.frontSegments == 0) && run.eventCursor >= run.eventCount) {
         return "\xce\x93 = \xe2\x88\x85: the domain is meshed" +
@@ -196,7 +208,10 @@ std::string stateText(const Shell &context) {
 namespace {
 
 std::string positionText(const SessionSnapshot &run) {
-    std::string text = ui::count(run.advance) + " / " + ui::count(run.known);
+    const auto withSteps = [](std::uint64_t advances, std::size_t steps) {
+        return ui::count(advances) + (steps > 0 ? " + " + ui::count(steps) : std::string());
+    };
+    std::string text = withSteps(run.advance, run.improveStep) + " / " + withSteps(run.known, run.improveSteps);
     if (!run.complete && run.known > 0) {
         text += "+";
     }

@@ -41,9 +41,14 @@ MarkLook lookOf(const Theme &theme, MarkKind kind) {
 
 } // namespace
 
-std::uint64_t TimeAxis::advanceAt(float x) const {
+std::string positionName(const SessionSnapshot &run, std::uint64_t position) {
+    return position > run.known && run.improveSteps > 0 ? "Improvement " + ui::count(position - run.known)
+                                                        : "Advance " + ui::count(position);
+}
+
+std::uint64_t TimeAxis::positionAt(float x) const {
     const float t = std::clamp((x - left) / (right - left), 0.0F, 1.0F);
-    return static_cast<std::uint64_t>(std::llround(static_cast<double>(t) * static_cast<double>(known)));
+    return static_cast<std::uint64_t>(std::llround(static_cast<double>(t) * static_cast<double>(length)));
 }
 
 const char *markName(MarkKind kind) {

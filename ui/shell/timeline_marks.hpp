@@ -9,16 +9,19 @@
 
 namespace forefront::shell {
 
-/// The scale of the timeline: advances from left to right, in pixels.
+/// The scale of the timeline: advances from left to right, then steps of the improvement, in pixels.
 struct TimeAxis {
     float left = 0.0F, right = 0.0F;
-    std::uint64_t known = 0; ///< advances at the right end, > 0
+    std::uint64_t length = 0; ///< position at the right end, > 0
 
-    float x(double advance) const {
-        return left + static_cast<float>(advance / static_cast<double>(known)) * (right - left);
+    float x(double position) const {
+        return left + static_cast<float>(position / static_cast<double>(length)) * (right - left);
     }
-    std::uint64_t advanceAt(float x) const;
+    std::uint64_t positionAt(float x) const;
 };
+
+/// Returns the name of a position of a run: "Advance 12", or after its last advance "Improvement 3".
+std::string positionName(const SessionSnapshot &run, std::uint64_t position);
 
 /// Draws the marks below the bar of the timeline, whose middle is at `y`. Where common marks would overlap, only one is
 /// drawn; rare marks are always drawn.

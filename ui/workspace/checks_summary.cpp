@@ -55,8 +55,12 @@ std::string unfinishedText(const Workspace &context) {
     const SessionSnapshot &run = context.run.now();
     const bool rests = run.state == RunState::Paused || run.state == RunState::Finished ||
                        run.state == RunState::Cancelled || (run.state == RunState::Running && run.playing);
-    if (!rests || context.run.showsFile() || run.mesh == nullptr || (run.complete && run.advance == run.known)) {
+    if (!rests || context.run.showsFile() || run.mesh == nullptr || run.atEnd()) {
         return {};
+    }
+    if (run.frontDone()) {
+        return "Unfinished mesh: step " + ui::count(run.improveStep) + " of " + ui::count(run.improveSteps) +
+               " of the improvement";
     }
     return "Unfinished mesh: advance " + ui::count(run.advance) +
            (run.complete ? " of " + ui::count(run.known) : ", the end is not reached yet");

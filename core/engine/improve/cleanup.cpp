@@ -56,6 +56,8 @@ class ElementCleanup {
     /// Cleans up an element and, if `alsoAround`, its surroundings. Returns true if something changed.
     bool cleanUp(std::size_t e, bool alsoAround) {
         thorough_ = alsoAround;
+        touchedNodes_.clear();
+        touchedElements_.clear();
         const bool swapped = swapBestSide(e);
         bool changed = swapped;
         const Element nodes = work_.mesh.elements[e];
@@ -87,7 +89,16 @@ class ElementCleanup {
 
     CleanupCounts counts;
 
+    /// Returns the nodes and elements that the last cleanup may have changed.
+    ChangedParts changed() const { return {.all = false, .nodes = touchedNodes_, .elements = touchedElements_}; }
+
   private:
+    void touchBoth(HalfEdge h) {
+        for (const HalfEdge side : {h, work_.twin[h]}) {
+            touchedElements_.push_back(static_cast<std::uint32_t>(elementOf(side)));
+        }
+    }
+
     double of(const Element &n) const { return measure_(work_.at(n[0]), work_.at(n[1]), work_.at(n[2])); }
 
     /// Swaps the side with the largest gain, if any gains. Returns true if one was swapped.
@@ -111,6 +122,7 @@ class ElementCleanup {
         if (best == kNoHalfEdge) {
             return false;
         }
+        touchBoth(best);
         swapEdgeAndRings(work_, best);
         ++counts.swaps;
         return true;
@@ -135,6 +147,7 @@ class ElementCleanup {
         const std::array<Element, 2> before = {work_.mesh.elements[e], work_.mesh.elements[f]};
         const CleanupCounts countsBefore = counts;
         const auto [measure, alphaBefore] = worstAround(nodes, e, f);
+        touchBoth(h);
         swapEdgeAndRings(work_, h);
         for (int pass = 0; pass < kPasses; ++pass) {
             for (const NodeId n : {nodes[2], nodes[3], nodes[0], nodes[1]}) {
@@ -261,6 +274,7 @@ class ElementCleanup {
         for (std::size_t i = 0; i < around_.count; ++i) {
             work_.alpha[around_.elements[i]] = static_cast<float>(work_.alphaOf(around_.elements[i]));
         }
+        touchedNodes_.push_back(node);
         ++counts.moves;
         return true;
     }
@@ -277,6 +291,8 @@ class ElementCleanup {
     Surroundings around_;
     std::size_t first_ = 0;
     bool thorough_ = false; ///< search with smaller steps
+    std::vector<NodeId> touchedNodes_;
+    std::vector<std::uint32_t> touchedElements_;
 };
 
 class Cleanup {
@@ -330,11 +346,12 @@ class Cleanup {
         std::vector<std::uint8_t> changed(bad.size(), 0);
         CleanupBatches batches(work_, bad);
         for (auto batch = batches.next(); !batch.empty() && !progress.cancelled(); batch = batches.next()) {
-            constexpr std::size_t kAtOnce = 64;
-            work_.pool.run((batch.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t task, unsigned thread) {
+            constexpr std::size_t kAtATime = 64;
+            const std::size_t atOnce = work_.watch == nullptr ? kAtATime : batch.size(); // a watch needs one thread
+            work_.pool.run((batch.size() + atOnce - 1) / atOnce, [&](std::size_t task, unsigned thread) {
                 ElementCleanup &cleanup = cleanups_[thread];
-                for (std::size_t i = task * kAtOnce;
-                     i < std::min(batch.size(), (task + 1) * kAtOnce) && !progress.cancelled(); ++i) {
+                for (std::size_t i = task * atOnce;
+                     i < std::min(batch.size(), (task + 1) * atOnce) && !progress.cancelled(); ++i) {
                     const std::uint32_t e = bad[batch[i]];
                     if (!cleanup.misses(e)) {
                         continue;
@@ -345,6 +362,9 @@ class Cleanup {
                     }
                     changed[batch[i]] = cleanup.cleanUp(e, vain.has_value()) ? 1 : 0;
                     ++cleanup.counts.attempts;
+                    if (changed[batch[i]] != 0) {
+                        work_.report(ImproveChange::Cleanup, cleanup.changed());
+                    }
                 }
             });
             if (vain) {

@@ -85,7 +85,9 @@ class Improvement {
     Improvement(TriMesh &mesh, const Plan &plan, const ImproveOptions &options, ThreadPool &pool,
                 const Progress &progress)
         : plan_(plan), options_(options), progress_(progress),
-          work_(mesh, pool, progress.stop, plan.restructures() ? mesh.nodes.size() / kNodesPerSpare : 0) {}
+          work_(mesh, pool, progress.stop, plan.restructures() ? mesh.nodes.size() / kNodesPerSpare : 0) {
+        work_.watch = options.watch;
+    }
 
     ImproveReport run() {
         stages_ = (plan_.goal ? 1 : 0) + (plan_.polishes ? 1 : 0) + (plan_.limitsGrowth ? 1 : 0);
@@ -116,6 +118,7 @@ class Improvement {
         if (proceeding && plan_.limitsGrowth) {
             const double floor = std::max(plan_.goal->alpha, report_.alphaMinBefore);
             report_.moves += limitGrowth(work_, {std::min(growth, kMaxGrowth), floor, plan_.goal->angle}, progress_);
+            work_.report(ImproveChange::Growth);
             proceeding = next();
         }
         if (proceeding && plan_.polishes) {
@@ -180,6 +183,12 @@ class Improvement {
     int stages_ = 1, done_ = 0;
 };
 
+void reportOrder(const ImproveOptions &options, const TriMesh &mesh) {
+    if (options.watch != nullptr) {
+        options.watch->changed(ImproveChange::Renumber, mesh, mesh.nodes, {});
+    }
+}
+
 /// Improves a mesh by a plan. Sorts large meshes meanwhile where that pays off; a plan that changes the numbers of
 /// nodes and elements leaves them as they are.
 ImproveReport improveBy(const Plan &plan, TriMesh &mesh, const ImproveOptions &options, const Progress &progress) {
@@ -188,10 +197,12 @@ ImproveReport improveBy(const Plan &plan, TriMesh &mesh, const ImproveOptions &o
     std::optional<SpatialOrder> order;
     if (!plan.restructures() && mesh.elements.size() > kSmallMesh && SpatialOrder::helps(mesh)) {
         order.emplace(mesh, pool);
+        reportOrder(options, mesh);
     }
     ImproveReport report = Improvement(mesh, plan, options, pool, progress).run();
     if (order) {
         order->restore();
+        reportOrder(options, mesh);
     }
     report.seconds = clock.lap() + pool.workerSeconds();
     return report;
@@ -283,6 +294,9 @@ ImproveReport improve(TriMesh &mesh, const ImproveOptions &options, const Progre
     // It starts from the result of level Default, so that it knows the growth there.
     if (best && !progress.cancelled()) {
         append(report, improveBy(kBestPlan, mesh, options, partOf(progress, share, 1.0)));
+    }
+    if (options.watch != nullptr) {
+        options.watch->changed(ImproveChange::Remainder, mesh, mesh.nodes, {});
     }
     return report;
 }

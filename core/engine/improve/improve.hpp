@@ -7,6 +7,7 @@
 
 namespace FOREFRONT_API forefront {
 
+class ImproveWatch;
 class SpacingField;
 
 /// Options of improve().
@@ -14,6 +15,7 @@ struct ImproveOptions {
     ImproveLevel level = ImproveLevel::Default;
     unsigned threads = 1;                  ///< the mesh does not depend on it
     const SpacingField *spacing = nullptr; ///< target node spacing; null: the spacing of the mesh at each round
+    ImproveWatch *watch = nullptr;         ///< learns of each change; null: none. The mesh does not depend on it
 };
 
 /// The result of improve().

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/raw_vector.hpp"
 #include "core/engine/base/thread_pool.hpp"
+#include "core/engine/improve/improve_watch.hpp"
 #include "core/engine/mesh/tri_half_edge.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 
@@ -37,6 +38,7 @@ struct ImproveWorkspace {
 
     TriMesh &mesh;
     ThreadPool &pool;
+    ImproveWatch *watch = nullptr; ///< learns of each change; null: none
     /// The half-edge across; none on the boundary, between regions, on tagged edges and where the mesh does not
     /// conform. Swaps keep it up to date.
     RawVector<HalfEdge> twin;
@@ -83,6 +85,13 @@ struct ImproveWorkspace {
         }
         for (unsigned k = 0; k < valence[n]; ++k) {
             visit(NodeId{static_cast<std::uint32_t>(static_cast<std::int64_t>(n) + ring[k])});
+        }
+    }
+
+    /// Tells the watch of a change.
+    void report(ImproveChange change, const ChangedParts &parts = {}) const {
+        if (watch != nullptr) {
+            watch->changed(change, mesh, mesh.nodes, parts);
         }
     }
 

@@ -100,6 +100,7 @@ NodeId Replacer::newNode() {
 
 void Replacer::writeNodes(const Cutout &before, const Cutout &after) {
     ids_.assign(after.count(), kNoNode);
+    changedNodes_.clear();
     for (unsigned i = 0; i < after.count(); ++i) {
         const auto local = static_cast<Cutout::Local>(i);
         NodeId &id = ids_[i] = after[i].id;
@@ -109,6 +110,7 @@ void Replacer::writeNodes(const Cutout &before, const Cutout &after) {
                 rho_[index(id)] = after.rho(local);
             }
             work_.mesh.nodes[index(id)] = after.place(local);
+            changedNodes_.push_back(id);
         } else if (i < before.count() && before.inner(local)) {
             freeNodes_.push_back(id);
             work_.fixed[index(id)] = 1;
@@ -162,8 +164,10 @@ std::uint32_t Replacer::slotFor(std::size_t added) {
 
 void Replacer::insertNew() {
     open_.clear();
+    changedElements_ = old_;
     for (std::size_t n = 0; n < after_.size(); ++n) {
         const std::uint32_t e = slotFor(n);
+        changedElements_.push_back(e);
         if (!work_.mesh.regions.empty()) {
             work_.mesh.regions[e] = region_;
         }

@@ -19,6 +19,9 @@ class Replacer {
     /// would not be positive (exact sign), if its α would be below `floor`, or if the mesh would be too large.
     bool replace(const Cutout &before, const Cutout &after, double floor);
 
+    /// Returns the nodes and elements that the last replacement may have changed.
+    ChangedParts changed() const { return {.all = false, .nodes = changedNodes_, .elements = changedElements_}; }
+
     /// Closes the gaps with the last elements and nodes. Fast, except for one pass over all elements.
     void compact();
 
@@ -54,6 +57,8 @@ class Replacer {
     std::vector<Side> rim_;              ///< their outer sides; half: the half-edge across, if any
     std::vector<Side> open_;             ///< sides of new elements without a partner so far
     std::vector<NodeId> ids_;
+    std::vector<NodeId> changedNodes_;
+    std::vector<std::uint32_t> changedElements_;
     std::int32_t region_ = 1;
 };
 

@@ -106,6 +106,12 @@ bool apply(Cutout &cutout, const Trial &trial) {
     return false;
 }
 
+ImproveChange reported(Change change) {
+    return change == Change::Swap    ? ImproveChange::RelaxedSwap
+           : change == Change::Merge ? ImproveChange::Merge
+                                     : ImproveChange::Divide;
+}
+
 /// The best change at a site.
 struct Gain {
     float gain = 0.0F;
@@ -128,6 +134,7 @@ class Restructuring {
             }
         }
         replacer_.compact();
+        work_.report(ImproveChange::Renumber);
         return counts_;
     }
 
@@ -233,6 +240,7 @@ class Restructuring {
             marks_[index(site)] |= kQuiet;
             return;
         }
+        work_.report(reported(gain.change), replacer_.changed());
         marks_.resize(work_.mesh.nodes.size(), 0);
         for (unsigned n = 0; n < before.count(); ++n) {
             if (before.inner(static_cast<Cutout::Local>(n))) {

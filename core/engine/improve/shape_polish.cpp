@@ -88,6 +88,7 @@ class Polish {
         std::size_t moves = 0, first = 0;
         for (std::size_t k = 0; k < sweeps && !progress_.cancelled(); ++k) {
             const std::size_t moved = sweep();
+            work_.report(ImproveChange::Polish);
             moves += moved;
             first = k == 0 ? moved : first;
             if (static_cast<double>(moved) <= kFewMoves * static_cast<double>(first)) {

@@ -189,6 +189,12 @@ std::size_t NodeSmoother::restoreDegraded(std::vector<std::uint32_t> list, doubl
     return back;
 }
 
+void NodeSmoother::report(ImproveChange change) const {
+    if (work_.watch != nullptr) {
+        work_.watch->changed(change, work_.mesh, {now_.data(), now_.size()}, {});
+    }
+}
+
 void NodeSmoother::finish() {
     work_.pool.forChunks(now_.size(), ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::copy(now_.data() + begin, now_.data() + end, work_.mesh.nodes.data() + begin);
@@ -202,6 +208,9 @@ std::size_t NodeSmoother::sweep(int count, const SmoothingAims &aims, double flo
         } else {
             moveAgain(aims, progress.stop);
         }
+        if (!progress.cancelled()) {
+            report(ImproveChange::Sweep);
+        }
     }
     if (count <= 0 || progress.cancelled()) {
         return 0;
@@ -210,6 +219,7 @@ std::size_t NodeSmoother::sweep(int count, const SmoothingAims &aims, double flo
     if (progress.cancelled()) {
         return 0;
     }
+    report(ImproveChange::Restore);
     finish();
     return static_cast<std::size_t>(std::count(work_.fixed.begin(), work_.fixed.end(), std::uint8_t{0})) - back;
 }

@@ -57,6 +57,7 @@ class NodeSmoother {
     bool degraded(std::size_t e, double alpha, double floor) const;
     std::vector<std::uint32_t> findDegraded(double floor, const std::stop_token &stop);
     std::size_t restoreDegraded(std::vector<std::uint32_t> list, double floor, const std::stop_token &stop);
+    void report(ImproveChange change) const;
     void finish();
 
     ImproveWorkspace &work_;

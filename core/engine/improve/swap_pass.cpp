@@ -1,6 +1,7 @@
 #include "core/engine/improve/swap_pass.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace forefront {
 
@@ -73,6 +74,11 @@ class SwapPass {
         touched_.insert(touched_.end(), {work_.from(h), work_.to(h), work_.apex(h), work_.apex(g)});
         swapEdge(work_, h);
         ++swaps_;
+        if (work_.watch != nullptr) {
+            const std::array changed = {static_cast<std::uint32_t>(elementOf(h)),
+                                        static_cast<std::uint32_t>(elementOf(g))};
+            work_.report(ImproveChange::Swap, {.all = false, .elements = changed});
+        }
         for (const std::size_t e : {elementOf(h), elementOf(g)}) {
             const auto first = static_cast<HalfEdge>(3 * e);
             next_.insert(next_.end(), {first, first + 1, first + 2});

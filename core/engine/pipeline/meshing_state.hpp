@@ -20,6 +20,7 @@ struct MeshingState {
     const MeshingJob &job;
     /// The number of elements that the job is coarsened to; infinite: it is not.
     double budget = std::numeric_limits<double>::infinity();
+    ImproveWatch *watch = nullptr; ///< learns of each change of the improvement; null: none
 
     DomainFaces faces{};      ///< of the domain, once it is validated
     PeriodicSides periodic{}; ///< segments tied to others, once the domain is validated

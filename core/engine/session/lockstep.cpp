@@ -37,8 +37,7 @@ RunFigures figuresOf(const SessionSnapshot &snapshot) {
 }
 
 bool samePosition(const SessionSnapshot &a, const SessionSnapshot &b) {
-    const auto atEnd = [](const SessionSnapshot &run) { return run.complete && run.advance == run.known; };
-    return a.advance == b.advance || (atEnd(a) && atEnd(b));
+    return a.advance == b.advance || (a.atEnd() && b.atEnd());
 }
 
 Lockstep::Lockstep(const MeshingJob &job, std::vector<RunVariant> variants, const std::function<void()> &wake) {
@@ -72,8 +71,6 @@ void Lockstep::follow(std::uint64_t advance, bool end) {
         run.end = end;
         if (!end) {
             run.session->seek(advance);
-        } else if (const auto now = run.session->latest(); now->complete) {
-            run.session->seek(now->known);
         } else {
             run.session->finish();
         }

@@ -20,6 +20,10 @@ struct MeshStepper::Run : SteppedRun {
                 travel().rest();
                 return false;
             }
+            if (outcome == TimelineTravel::Outcome::FrontDone && !improve(progress).empty()) {
+                travel().rest();
+                return false;
+            }
             report(progress);
             outcome = travel().work();
         }
@@ -101,6 +105,10 @@ std::uint64_t MeshStepper::retreat(std::uint64_t count) {
 
 bool MeshStepper::seek(std::uint64_t position, const Progress &progress) {
     return guarded(run_, [&](Run &run) { return run.complete(run.travel().reach(position), progress); });
+}
+
+void MeshStepper::stepImprovement() {
+    run_->stepImprovement();
 }
 
 bool MeshStepper::finish(const Progress &progress) {

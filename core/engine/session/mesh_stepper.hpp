@@ -50,6 +50,10 @@ class MeshStepper {
     /// Moves to a position, or to the end if that comes first. Positions beyond the known ones are computed. Returns
     /// false if it was cancelled on the way.
     bool seek(std::uint64_t position, const Progress &progress = {});
+    /// Makes the steps of the improvement follow the last advance: seek(), step() and finish() move through them, in
+    /// positions beyond known(), and reaching the end of the front improves the mesh. position() stays a number of
+    /// advances; SessionSnapshot::improveStep has the step. To be called before the first move.
+    void stepImprovement();
     /// Moves to the end of the run and, once, improves the mesh. Returns false if it was cancelled, or stopped because
     /// the mesh exceeds MeshingOptions::maxElements.
     bool finish(const Progress &progress = {});

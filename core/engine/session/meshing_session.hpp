@@ -39,7 +39,8 @@ class MeshingSession {
     void pause();
     /// Moves n steps, back if negative, and pauses.
     void step(Granularity granularity, std::int64_t n);
-    /// Moves to a position and pauses. Positions beyond the known ones are computed.
+    /// Moves to a position and pauses: a number of advances, or the last advance and a number of steps of the
+    /// improvement after it. Positions beyond the known ones are computed.
     void seek(std::uint64_t advance);
     /// Sets the conditions that stop play(), step() and seekStop().
     void stopAt(const Breakpoints &breakpoints);

@@ -94,6 +94,7 @@ void SessionWorker::startStepped(const StartCommand &command, PreparedJob prepar
     quiet_ = quiet_ && prepared.estimatedElements <= kQuietElements;
     run_.emplace(command.job, std::move(prepared), number_);
     run_->travel().setBreakpoints(breakpoints_);
+    run_->stepImprovement();
     stage_ = "advancing the front";
     if (command.mode != StartMode::Pause) {
         execute(FinishCommand{});
@@ -235,18 +236,14 @@ void SessionWorker::follow(Outcome outcome) {
     case Outcome::Arrived:
         arrive();
         break;
+    case Outcome::FrontDone:
+        improveMesh();
+        break;
     }
 }
 
-/// Stops on the timeline. At its end, the mesh is improved once.
 void SessionWorker::arrive() {
-    if (!run_->travel().atEnd()) {
-        rest(RunState::Paused);
-    } else if (run_->improved()) {
-        rest(RunState::Finished);
-    } else {
-        improveMesh();
-    }
+    rest(run_->travel().atEnd() ? RunState::Finished : RunState::Paused);
 }
 
 void SessionWorker::improveMesh() {
@@ -259,7 +256,13 @@ void SessionWorker::improveMesh() {
         return;
     }
     improvementStopped_ = !done;
-    rest(done ? RunState::Finished : RunState::Paused);
+    if (!done) {
+        rest(RunState::Paused);
+        return;
+    }
+    state_ = RunState::Running;
+    stage_ = "advancing the front";
+    follow(run_->travel().work()); // the rest of the move
 }
 
 void SessionWorker::rest(RunState state) {

@@ -51,7 +51,9 @@ class SessionWorker {
     void beginMove();
     void follow(Outcome outcome);
     void rest(RunState state);
+    /// Stops on the timeline.
     void arrive();
+    /// Improves the mesh of the front, once, and goes on with the move.
     void improveMesh();
     void fail(Diagnostics faults);
     double frontProgress() const;

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
+#include "core/engine/improve/improve_step.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesh/triangulated.hpp"
@@ -114,6 +115,10 @@ struct SessionSnapshot {
     /// The run has a timeline. Quadrilaterals have none: their mesh appears as a whole, at advance 0 of 0.
     bool stepped = true;
     bool improved = false; ///< the mesh shown is the improved one (only at the end)
+    /// Steps of the improvement done, which follow the last advance, and their number; 0 before it is reached first.
+    std::size_t improveStep = 0, improveSteps = 0;
+    /// The step of the improvement that led here; null before the first one, and at the end unless stepped there.
+    std::shared_ptr<const ImproveStep> improvement;
     /// The moment of the explanation: an index into its events, or eventCount for the whole advance.
     std::size_t eventCursor = 0;
     std::size_t eventCount = 0;
@@ -141,6 +146,14 @@ struct SessionSnapshot {
     /// By advance, at most 2000 of each kind: one for each interval of the timeline that has any.
     std::shared_ptr<const std::vector<TimelineMark>> marks;
     std::shared_ptr<const RunCurves> curves;
+
+    /// Returns true once the front is empty at this position: the mesh is that of the front, or improved.
+    bool frontDone() const { return complete && advance == known; }
+    /// Returns true at the end of the run, after the improvement.
+    bool atEnd() const { return frontDone() && improveStep == improveSteps; }
+    /// Returns the position on the timeline and its length: advances, then steps of the improvement.
+    std::uint64_t position() const { return advance + improveStep; }
+    std::uint64_t length() const { return known + improveSteps; }
 };
 
 } // namespace forefront

@@ -28,12 +28,92 @@ Diagnostics SteppedRun::excess() const {
 Status SteppedRun::improve(const Progress &progress) {
     MeshingState state{.job = *job_, .prepared = prepared_};
     state.triangles = toMesh(travel_.timeline().mesher().state(), *prepared_.frontBoundary());
+    std::optional<ImproveRecord> record;
+    if (stepsImprovement_ && improves() && state.triangles.elements.size() <= kSteppedElements) {
+        state.watch = &record.emplace(state.triangles);
+    }
     if (Status faults = runStages(stagesAfterFront(), state, progress); !faults.empty()) {
         return faults;
     }
     secondsImprove_ = state.improvement.seconds;
     final_ = takeFinished(state, number_);
+    record_ = std::move(record);
+    if (stepsImprovement_) {
+        std::vector<std::size_t> passEnds = record_ ? record_->passEnds() : std::vector<std::size_t>{};
+        std::size_t steps = record_ ? record_->steps() : 0;
+        if (completes() || (improves() && !record_)) {
+            passEnds.push_back(++steps);
+        }
+        travel_.setImprovement(steps, std::move(passEnds));
+    }
     return {};
+}
+
+bool SteppedRun::completes() const {
+    return job_->options.leastAngle || prepared_.layers || job_->options.order == ElementOrder::Second;
+}
+
+void SteppedRun::stepImprovement() {
+    stepsImprovement_ = true;
+    travel_.awaitImprovement();
+}
+
+/// Returns the step that led to the position, within the improvement. The last one may be more than the record has.
+std::shared_ptr<const ImproveStep> SteppedRun::lastStep() {
+    const std::size_t number = travel_.improveStep();
+    if (record_ && number <= record_->steps()) {
+        record_->moveTo(number);
+        return std::make_shared<const ImproveStep>(record_->step());
+    }
+    auto step = std::make_shared<ImproveStep>();
+    step->change = record_ || !improves() ? ImproveChange::Completion : ImproveChange::Remainder;
+    step->number = number;
+    if (record_) {
+        record_->moveTo(record_->steps());
+        step->before = record_->figures();
+    } else {
+        step->before = figuresOf(toMesh(travel_.timeline().mesher().state(), *prepared_.frontBoundary()));
+    }
+    step->after = {final_.quality.alphaMin, final_.quality.alphaMean, final_.quality.minAngle};
+    return step;
+}
+
+/// Fills in the mesh after a step of the improvement, before its last one, and what the step changed.
+void SteppedRun::fillStep(SessionSnapshot &snapshot, bool withMesh, bool resting) {
+    const std::size_t number = travel_.improveStep();
+    if (!step_ || shownStep_ != number) {
+        shownStep_ = number;
+        step_ = lastStep();
+        stepMesh_.reset();
+        stepQuality_.reset();
+    }
+    snapshot.improvement = step_;
+    if (travel_.atEnd()) {
+        return;
+    }
+    if (!stepMesh_ && (withMesh || resting)) {
+        record_->moveTo(number);
+        std::shared_ptr<MeshSnapshot> view = snapshotOf(Mesh(record_->mesh()));
+        constexpr std::uint64_t kOfSteps = std::uint64_t{1} << 31U; // the front has fewer versions
+        view->version = ((number_ + 1) << 32U) + kOfSteps + number;
+        stepMesh_ = std::move(view);
+    }
+    if (withMesh) {
+        snapshot.mesh = stepMesh_;
+    }
+    if (resting && !stepQuality_) {
+        stepQuality_ = measureQuality(stepMesh_->view(), prepared_.spacing.get());
+    }
+    if (stepQuality_) {
+        snapshot.quality = *stepQuality_;
+    } else {
+        snapshot.quality.alphaMin = step_->after.alphaMin;
+        snapshot.quality.alphaMean = step_->after.alphaMean;
+        snapshot.quality.minAngle = step_->after.minAngle;
+    }
+    if (resting) {
+        snapshot.stateHash = meshHash(stepMesh_->view());
+    }
 }
 
 void SteppedRun::fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting) {
@@ -53,8 +133,14 @@ void SteppedRun::fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool res
         snapshot.birth = travel_.birth();
     }
     const bool final = improved() && travel_.atEnd();
-    layers.mesh = layers.mesh && !final;
+    const bool withMesh = layers.mesh;
+    layers.mesh = layers.mesh && !final && travel_.improveStep() == 0;
     builder_.fill(snapshot, travel_.timeline(), layers, resting);
+    snapshot.improveStep = travel_.improveStep();
+    snapshot.improveSteps = travel_.improveSteps();
+    if (travel_.improveStep() > 0 && (!final || travel_.stepped())) {
+        fillStep(snapshot, withMesh, resting);
+    }
     if (final) {
         final_.fill(snapshot);
         snapshot.improved = job_->options.improve != ImproveLevel::None;

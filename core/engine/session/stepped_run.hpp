@@ -1,11 +1,13 @@
 #pragma once
 
+#include "core/engine/improve/improve_record.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/finished_mesh.hpp"
 #include "core/engine/session/snapshot_builder.hpp"
 #include "core/engine/session/timeline_travel.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace forefront {
 
@@ -26,6 +28,10 @@ class SteppedRun {
     /// Returns the fault of a front that has exceeded the job's maximum number of elements, since the estimate was too
     /// low; empty if it has not.
     Diagnostics excess() const;
+    /// Maximum number of elements whose improvement is stepped; that of a larger mesh is one step.
+    static constexpr std::size_t kSteppedElements = 100'000;
+    /// Makes improve() record the steps of the improvement, which then follow the advances on the timeline.
+    void stepImprovement();
     /// Returns true once improve() has made the final mesh.
     bool improved() const { return final_.view != nullptr; }
     /// Makes the final mesh from the front's, which must be complete. Returns the faults that the stages
@@ -37,12 +43,25 @@ class SteppedRun {
     void fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting);
 
   private:
+    bool improves() const { return job_->options.improve != ImproveLevel::None; }
+    /// Returns true if stages after the improvement change the mesh.
+    bool completes() const;
+    void fillStep(SessionSnapshot &snapshot, bool withMesh, bool resting);
+    std::shared_ptr<const ImproveStep> lastStep();
+
     std::shared_ptr<const MeshingJob> job_;
     PreparedJob prepared_;
     std::uint64_t number_;
     TimelineTravel travel_;
     SnapshotBuilder builder_;
     FinishedMesh final_;
+    bool stepsImprovement_ = false;
+    std::optional<ImproveRecord> record_;
+    // The step at shownStep_, as far as a snapshot has asked for it.
+    std::size_t shownStep_ = 0;
+    std::shared_ptr<const ImproveStep> step_;
+    std::shared_ptr<const MeshSnapshot> stepMesh_;
+    std::optional<MeshQuality> stepQuality_;
     double secondsImprove_ = 0.0;
 };
 

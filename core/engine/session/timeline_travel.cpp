@@ -48,6 +48,9 @@ TimelineTravel::Moment TimelineTravel::explain() {
     if (!followed()) {
         return moment;
     }
+    if (improveStep_ > 0 && !atEnd()) {
+        return moment;
+    }
     if (eventsDone_ > 0) {
         moment = {nextAdvance_, eventsDone_ - 1};
     } else if (timeline_.position() > 0) {
@@ -65,8 +68,23 @@ void TimelineTravel::lookAhead(std::uint64_t limit) {
     moveTimeline(-static_cast<std::int64_t>(timeline_.position()));
 }
 
-TimelineTravel::Outcome TimelineTravel::reach(std::uint64_t position) {
+void TimelineTravel::setImprovement(std::size_t steps, std::vector<std::size_t> passEnds) {
+    awaitsImprovement_ = false;
+    improveSteps_ = steps;
+    passEnds_ = std::move(passEnds);
+}
+
+/// Jumps near a position of the front, or leaves the cursor where it is in the improvement.
+void TimelineTravel::approach(std::uint64_t position) {
+    if (improveStep_ > 0 && position >= timeline_.known()) {
+        return;
+    }
+    improveStep_ = 0;
     timeline_.approach(position);
+}
+
+TimelineTravel::Outcome TimelineTravel::reach(std::uint64_t position) {
+    approach(position);
     return beginReaching(position, {});
 }
 
@@ -77,8 +95,9 @@ TimelineTravel::Outcome TimelineTravel::beginReaching(std::uint64_t position, co
     eventsDone_ = 0;
     targetLayers_ = 0;
     target_ = position;
+    stepped_ = position != kToTheEnd;
     activity_ = Activity::Reaching;
-    return timeline_.position() == target_ ? arrive() : Outcome::Still;
+    return this->position() == target_ ? arrive() : Outcome::Still;
 }
 
 TimelineTravel::Outcome TimelineTravel::reachEnd() {
@@ -97,7 +116,7 @@ TimelineTravel::Outcome TimelineTravel::reachBirth(Vec2 place, double tolerance)
         return outcome;
     }
     if (!unmeshed(timeline_.mesher().state().front, place)) {
-        return reach(timeline_.position());
+        return reach(position());
     }
     Breakpoints covered;
     covered.set(StopKind::Place, true);
@@ -121,7 +140,7 @@ TimelineTravel::Outcome TimelineTravel::step(Granularity granularity, std::int64
 
 TimelineTravel::Outcome TimelineTravel::stepAdvances(std::int64_t count) {
     const bool underWay = activity_ == Activity::Reaching && target_ != kToTheEnd;
-    const std::uint64_t origin = underWay ? target_ : timeline_.position();
+    const std::uint64_t origin = underWay ? target_ : position();
     if (count > 0) {
         return beginReaching(origin + static_cast<std::uint64_t>(count), breakpoints_);
     }
@@ -142,9 +161,11 @@ TimelineTravel::Outcome TimelineTravel::stepEvents(std::int64_t count) {
     watched_ = breakpoints_;
     stop_.reset();
     birth_.reset();
+    stepped_ = true;
     for (; count > 0 && !stop_; --count) {
         if (eventsDone_ == 0) {
             if (timeline_.mesher().finished()) {
+                move(count); // steps of the improvement have no events
                 break;
             }
             nextAdvance_ = explainNext();
@@ -156,8 +177,12 @@ TimelineTravel::Outcome TimelineTravel::stepEvents(std::int64_t count) {
     }
     for (; count < 0 && !stop_; ++count) {
         if (eventsDone_ == 0) {
+            const bool improving = improveStep_ > 0;
             if (move(-1) == 0) {
                 break;
+            }
+            if (improving) {
+                continue;
             }
             nextAdvance_ = explainNext();
             eventsDone_ = nextAdvance_->events.size();
@@ -167,7 +192,21 @@ TimelineTravel::Outcome TimelineTravel::stepEvents(std::int64_t count) {
     return arrive();
 }
 
+/// Steps to the ends of passes of the improvement, and back to its start.
+TimelineTravel::Outcome TimelineTravel::stepPasses(std::int64_t count) {
+    std::vector<std::size_t> ends{0};
+    ends.insert(ends.end(), passEnds_.begin(), passEnds_.end());
+    const auto last = static_cast<std::int64_t>(ends.size()) - 1;
+    const std::int64_t from = count > 0 ? (std::ranges::upper_bound(ends, improveStep_) - ends.begin()) - 1
+                                        : std::ranges::lower_bound(ends, improveStep_) - ends.begin();
+    const std::int64_t pass = std::clamp<std::int64_t>(from + count, 0, last);
+    return beginReaching(timeline_.known() + ends[static_cast<std::size_t>(pass)], breakpoints_);
+}
+
 TimelineTravel::Outcome TimelineTravel::stepLayers(std::int64_t count) {
+    if (improveStep_ > 0 || (count > 0 && frontDone())) {
+        return stepPasses(count);
+    }
     const std::vector<std::uint64_t> &ends = timeline_.layerEnds();
     const std::uint64_t position = timeline_.position();
     if (count > 0) {
@@ -184,9 +223,10 @@ TimelineTravel::Outcome TimelineTravel::stepLayers(std::int64_t count) {
 }
 
 void TimelineTravel::play(double rate) {
-    if (rate > 0.0 && atEnd()) {
-        timeline_.approach(0); // a checkpoint, so that this takes no time
+    if (rate > 0.0 && atEnd() && !awaitsImprovement_) {
+        approach(0); // a checkpoint, so that this takes no time
     }
+    stepped_ = false;
     watched_ = breakpoints_;
     stop_.reset();
     birth_.reset();
@@ -202,6 +242,9 @@ void TimelineTravel::rest() {
 }
 
 TimelineTravel::Outcome TimelineTravel::arrive() {
+    if (awaitsImprovement_ && frontDone()) {
+        return Outcome::FrontDone;
+    }
     rest();
     return Outcome::Arrived;
 }
@@ -235,8 +278,16 @@ std::uint64_t TimelineTravel::move(std::int64_t advances) {
 }
 
 std::uint64_t TimelineTravel::moveTimeline(std::int64_t advances) {
-    return advances >= 0 ? timeline_.forward(static_cast<std::uint64_t>(advances))
-                         : timeline_.back(static_cast<std::uint64_t>(-advances));
+    const auto count = static_cast<std::uint64_t>(std::abs(advances));
+    if (advances >= 0) {
+        const std::uint64_t done = timeline_.forward(count);
+        const std::uint64_t more = std::min<std::uint64_t>(count - done, improveSteps_ - improveStep_);
+        improveStep_ += static_cast<std::size_t>(more);
+        return done + more;
+    }
+    const std::uint64_t undone = std::min<std::uint64_t>(count, improveStep_);
+    improveStep_ -= static_cast<std::size_t>(undone);
+    return undone + timeline_.back(count - undone);
 }
 
 /// Moves one advance at a time until one fulfils a condition, since conditions look at the state after the advance.
@@ -247,7 +298,9 @@ std::uint64_t TimelineTravel::moveWatching(std::int64_t advances) {
             break;
         }
         ++done;
-        stop_ = stopAfterLast(watched_, timeline_);
+        if (improveStep_ == 0) { // the conditions are on advances
+            stop_ = stopAfterLast(watched_, timeline_);
+        }
     }
     return done;
 }
@@ -257,14 +310,14 @@ TimelineTravel::Outcome TimelineTravel::reachABatch() {
         target_ = timeline_.layerEnds()[targetLayers_ - 1];
         targetLayers_ = 0;
     }
-    const std::uint64_t position = timeline_.position();
+    const std::uint64_t position = this->position();
     std::uint64_t done = 0;
     if (target_ > position) {
         done = move(static_cast<std::int64_t>(std::min<std::uint64_t>(target_ - position, kBatch)));
     } else if (target_ < position) {
         done = move(-static_cast<std::int64_t>(std::min<std::uint64_t>(position - target_, kBatch)));
     }
-    if (timeline_.position() != target_ && done != 0 && !atEnd() && !stop_) {
+    if (this->position() != target_ && done != 0 && !atEnd() && !stop_) {
         return Outcome::Moved;
     }
     return arrive();

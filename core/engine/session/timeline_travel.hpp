@@ -15,8 +15,9 @@ namespace forefront {
 class TimelineTravel {
   public:
     using Clock = std::chrono::steady_clock;
-    /// The result of a call. Arrived: at rest at the target, or as close to it as the run goes.
-    enum class Outcome : std::uint8_t { Still, Moved, Arrived };
+    /// The result of a call. Arrived: at rest at the target, or as close to it as the run goes. FrontDone: the run
+    /// waits for setImprovement(), after which the move goes on.
+    enum class Outcome : std::uint8_t { Still, Moved, Arrived, FrontDone };
     /// An explained advance and a moment in it: the index of an event, or the number of events for the whole advance.
     struct Moment {
         std::shared_ptr<const AdvanceExplanation> advance;
@@ -29,8 +30,23 @@ class TimelineTravel {
     bool resting() const { return activity_ == Activity::Resting; }
     /// Returns true while moving at the rate given to play(), and not to a position at full speed.
     bool playing() const { return activity_ == Activity::Playing; }
-    /// Returns true at the end of the run.
-    bool atEnd() const { return eventsDone_ == 0 && timeline_.complete() && timeline_.position() == timeline_.known(); }
+    /// Returns true once the front is empty at this position.
+    bool frontDone() const {
+        return eventsDone_ == 0 && timeline_.complete() && timeline_.position() == timeline_.known();
+    }
+    /// Returns true at the end of the run: of the improvement, if its steps are known.
+    bool atEnd() const { return frontDone() && improveStep_ == improveSteps_; }
+    /// Makes moves wait at the end of the front for setImprovement().
+    void awaitImprovement() { awaitsImprovement_ = true; }
+    /// Appends the steps of the improvement to the timeline. `passEnds`: the steps after which a pass ends, ascending.
+    void setImprovement(std::size_t steps, std::vector<std::size_t> passEnds);
+    /// Returns the number of steps of the improvement done at this position, and of all.
+    std::size_t improveStep() const { return improveStep_; }
+    std::size_t improveSteps() const { return improveSteps_; }
+    /// Returns true if the last move led to a position, rather than to the end.
+    bool stepped() const { return stepped_; }
+    /// Returns the position on the timeline: advances, then steps of the improvement.
+    std::uint64_t position() const { return timeline_.position() + improveStep_; }
     /// Returns when work() has something to do next; std::nullopt at rest.
     std::optional<Clock::time_point> workDue() const;
     /// Returns the advances per second of the last batch, or the requested rate.
@@ -76,6 +92,8 @@ class TimelineTravel {
     Outcome stepAdvances(std::int64_t count);
     Outcome stepEvents(std::int64_t count);
     Outcome stepLayers(std::int64_t count);
+    Outcome stepPasses(std::int64_t count);
+    void approach(std::uint64_t position);
     void settle();
     Outcome reachABatch();
     Outcome playABatch();
@@ -87,6 +105,10 @@ class TimelineTravel {
     std::shared_ptr<const AdvanceExplanation> explainNext();
 
     Timeline timeline_;
+    bool awaitsImprovement_ = false;
+    std::size_t improveStep_ = 0, improveSteps_ = 0;
+    std::vector<std::size_t> passEnds_;
+    bool stepped_ = false;
     Activity activity_ = Activity::Resting;
     std::uint64_t target_ = 0;     ///< Reaching: position to reach
     std::size_t targetLayers_ = 0; ///< Reaching: number of layer ends still to pass

@@ -74,7 +74,7 @@ std::optional<double> valueOf(LessonValue value, const LessonState &state) {
     case LessonValue::Advance:
         return static_cast<double>(run.advance);
     case LessonValue::Finished:
-        return run.complete && run.advance == run.known ? 1.0 : 0.0;
+        return run.atEnd() ? 1.0 : 0.0;
     case LessonValue::Front:
         return static_cast<double>(run.frontSegments);
     case LessonValue::Elements:
@@ -101,6 +101,10 @@ std::optional<double> valueOf(LessonValue value, const LessonState &state) {
         return run.quality.alphaMean;
     case LessonValue::MeanDelta:
         return run.quality.deltaMean;
+    case LessonValue::ImproveStep:
+        return static_cast<double>(run.improveStep);
+    case LessonValue::ImproveSteps:
+        return static_cast<double>(run.improveSteps);
     default:
         return std::nullopt;
     }

@@ -14,44 +14,48 @@ namespace forefront {
 
 /// A number that describes the state of a run. Lessons show such values in their text and compare answers with them.
 enum class LessonValue : std::uint8_t {
-    Advance,    ///< advances done
-    Finished,   ///< 1 at the end of the run, else 0
-    Front,      ///< segments of Γ
-    Elements,   ///< made so far
-    NewNodes,   ///< made so far
-    Deferrals,  ///< so far
-    Forced,     ///< elements that the closing stage has made so far
-    FrontMean,  ///< Nb
-    Delivered,  ///< Nc
-    Considered, ///< Ns
-    Tested,     ///< Nt
-    CellsMean,  ///< cells of the grid visited, per element
-    MinAlpha,   ///< of the mesh shown
-    MeanAlpha,  ///< of the mesh shown
-    MeanDelta,  ///< of the mesh shown
-    Base,       ///< length of AB; this value and all further ones belong to the advance shown
-    Rho,        ///< ρ used, after clamping
-    FieldRho,   ///< ρ of the node spacing function
-    Radius,     ///< of the search around C
-    Candidates, ///< number of candidates
-    Winner,     ///< rank of the accepted candidate; 0: none
-    Rejected,   ///< candidates that were tested and rejected
-    Tests,      ///< exact tests of segments
-    Cells,      ///< cells visited
-    Segments,   ///< segments delivered by the grid
-    Alpha,      ///< α of the accepted candidate
-    Score,      ///< of the accepted candidate
-    Chosen      ///< rank of the candidate that the learner chose in the Candidates panel; 0: none
+    Advance,      ///< advances done
+    Finished,     ///< 1 at the end of the run, else 0
+    Front,        ///< segments of Γ
+    Elements,     ///< made so far
+    NewNodes,     ///< made so far
+    Deferrals,    ///< so far
+    Forced,       ///< elements that the closing stage has made so far
+    FrontMean,    ///< Nb
+    Delivered,    ///< Nc
+    Considered,   ///< Ns
+    Tested,       ///< Nt
+    CellsMean,    ///< cells of the grid visited, per element
+    MinAlpha,     ///< of the mesh shown
+    MeanAlpha,    ///< of the mesh shown
+    MeanDelta,    ///< of the mesh shown
+    ImproveStep,  ///< steps of the improvement done
+    ImproveSteps, ///< all steps of the improvement; 0 before the front has been finished once
+    Base,         ///< length of AB; this value and all further ones belong to the advance shown
+    Rho,          ///< ρ used, after clamping
+    FieldRho,     ///< ρ of the node spacing function
+    Radius,       ///< of the search around C
+    Candidates,   ///< number of candidates
+    Winner,       ///< rank of the accepted candidate; 0: none
+    Rejected,     ///< candidates that were tested and rejected
+    Tests,        ///< exact tests of segments
+    Cells,        ///< cells visited
+    Segments,     ///< segments delivered by the grid
+    Alpha,        ///< α of the accepted candidate
+    Score,        ///< of the accepted candidate
+    Chosen        ///< rank of the candidate that the learner chose in the Candidates panel; 0: none
 };
 
 template <>
 struct EnumWords<LessonValue> {
     static constexpr auto kLast = LessonValue::Chosen;
-    static constexpr std::array<std::string_view, 28> kList = {
-        "advance",    "finished", "front",   "elements",  "new-nodes", "deferrals",  "forced",
-        "Nb",         "Nc",       "Ns",      "Nt",        "cells",     "min-alpha",  "mean-alpha",
-        "mean-delta", "base",     "rho",     "field-rho", "radius",    "candidates", "winner",
-        "rejected",   "tests",    "visited", "delivered", "alpha",     "score",      "chosen"};
+    static constexpr std::array<std::string_view, 30> kList = {
+        "advance",      "finished",      "front",     "elements",   "new-nodes",
+        "deferrals",    "forced",        "Nb",        "Nc",         "Ns",
+        "Nt",           "cells",         "min-alpha", "mean-alpha", "mean-delta",
+        "improve-step", "improve-steps", "base",      "rho",        "field-rho",
+        "radius",       "candidates",    "winner",    "rejected",   "tests",
+        "visited",      "delivered",     "alpha",     "score",      "chosen"};
 };
 
 /// The state that lesson values are read from.

@@ -1,20 +1,21 @@
-# Converts the files of the player into a C++ source: cmake -DFOLDER=... -DOUTPUT=... -P embed_player.cmake
+# Converts NAME.html, NAME.css and NAME.js of a folder into a C++ source with the functions of a header:
+# cmake -DFOLDER=... -DNAME=player -DHEADER=... -DOUTPUT=... -P embed_player.cmake
 set(functions "")
 foreach(part IN ITEMS Body:html Style:css Script:js)
   string(REPLACE ":" ";" words "${part}")
   list(GET words 0 name)
   list(GET words 1 extension)
-  file(READ "${FOLDER}/player.${extension}" hex HEX)
+  file(READ "${FOLDER}/${NAME}.${extension}" hex HEX)
   # The bytes of UTF-8 as numbers: no text can end the literal or exceed the length that compilers accept.
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${hex}")
-  string(APPEND functions "std::string_view player${name}() {
+  string(APPEND functions "std::string_view ${NAME}${name}() {
     static constexpr char kText[] = {${bytes}};
     return {kText, sizeof kText};
 }
 ")
 endforeach()
-file(WRITE "${OUTPUT}" "// Generated from player.html, player.css and player.js.
-#include \"core/teaching/page/player.hpp\"
+file(WRITE "${OUTPUT}" "// Generated from ${NAME}.html, ${NAME}.css and ${NAME}.js.
+#include \"${HEADER}\"
 
 namespace forefront {
 

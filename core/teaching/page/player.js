@@ -1,8 +1,11 @@
 'use strict';
 (() => {
   const run = JSON.parse(document.getElementById('run').textContent);
-  const advances = run.advances;
+  /** A list of elements in place of an advance: the page has no details of it. */
+  const advances = run.advances.map((advance) => Array.isArray(advance) ? { thin: true, elements: advance,
+    base: advance.length ? advance.slice(0, 2) : run.front.slice(0, 2), candidates: [], tests: [], cells: [], events: [] } : advance);
   const $ = (id) => document.getElementById(id);
+  const embedded = parent !== window; // in a page of its own, such as that of a lesson
   const canvas = $('canvas'), paint = canvas.getContext('2d');
   const Step = { base: 2, spacing: 3, ideal: 4, find: 5, score: 6, sort: 7, test: 8, update: 9, finish: 10 };
   const Verdict = { notTried: 0, accepted: 1, withdrawn: 2 };
@@ -80,7 +83,7 @@
   const last = advances.length;
   const goTo = (done, event = 0, improved = false) => {
     position.done = Math.max(0, Math.min(last, done));
-    position.event = position.done < last ? event : 0;
+    position.event = position.done < last ? Math.max(0, Math.min(event, advances[position.done].events.length - 1)) : 0;
     position.improved = improved && Boolean(run.improved) && position.done === last;
     follow();
     show();
@@ -108,7 +111,7 @@
     const at = underWay ? events[seen] : null;
     const step = at ? at[0] : Step.update;
     const judged = advance.candidates.map((candidate) => !at || (candidate.verdict === Verdict.withdrawn && step >= Step.sort));
-    let tests = at ? 0 : advance.tests.length, cells = at ? 0 : advance.cells.length / 4, returned = at ? 0 : events.at(-1)[5];
+    let tests = at ? 0 : advance.tests.length, cells = at ? 0 : advance.cells.length / 4, returned = at || advance.thin ? 0 : events.at(-1)[5];
     for (let i = 0; at && i <= seen; ++i) {
       const [eventStep, candidate, test, cellsSeen, , delivered] = events[i];
       tests = Math.max(tests, test + 1);
@@ -120,7 +123,7 @@
     }
     return { advance, number: underWay ? position.done + 1 : position.done, step, judged, tests, cells, returned,
       candidates: at ? at[4] : advance.candidates.length, test: at ? at[2] : -1, updated: step >= Step.update && advance.elements.length > 0,
-      caption: at ? run.words[at[6]] : run.words[advance.outcome] };
+      caption: at ? run.words[at[6]] : advance.thin ? '' : run.words[advance.outcome] };
   };
 
   // ---- The camera ----
@@ -254,6 +257,7 @@
         paint.strokeStyle = colours.accepted; paint.lineWidth = 2; paint.stroke();
       }
     }
+    if (advance.thin) { return; }
     if (step >= Step.find && !moment.updated) {
       const [x, y] = at(advance.c);
       paint.beginPath(); paint.setLineDash([5, 4]); paint.arc(x, y, advance.radius * camera.zoom, 0, 2 * Math.PI);
@@ -328,6 +332,7 @@
     const accepted = advance.candidates.findIndex((c, i) => moment.judged[i] && c.verdict === Verdict.accepted);
     const scored = advance.candidates[Math.max(0, accepted)];
     const set = (s, text) => { if (step >= s) { found[s - 1] = text; } };
+    if (advance.thin) { return found; }
     set(Step.base, advance.base.join('–'));
     set(Step.spacing, number(advance.rho, 3));
     set(Step.ideal, '(' + advance.c.map((v) => number(v)).join(', ') + ')');
@@ -358,6 +363,7 @@
       row.classList.toggle('chosen', i === chosen);
       row.onpointerenter = () => { chosen = i; draw(); };
       row.onpointerleave = () => { chosen = -1; draw(); };
+      row.onclick = () => tell(i);
     });
   };
   const showFigures = () => {
@@ -380,6 +386,7 @@
   const captionNow = (moment) => {
     if (position.improved) { return 'The finished mesh after improvement'; }
     if (!moment) { return 'Before the first advance: the boundary is the front Γ'; }
+    if (moment.advance.thin) { return 'Advance ' + moment.number + ': this page has no details of it'; }
     return 'Advance ' + moment.number + '. Edge ' + moment.advance.base.join('–') + ': ' + moment.caption;
   };
   const drawPlot = () => {
@@ -395,8 +402,12 @@
     advances.forEach((advance, k) => { if (!advance.elements.length) { pen.fillStyle = colours.warn; pen.fillRect(x(k + 1) - 1, 2, 2, 5); } });
     pen.fillStyle = colours.text; pen.fillRect(x(position.done) - 1, 0, 2, height);
   };
+  /** Tells the page around the player, if there is one, what is shown. `picked`: the candidate clicked, or -1. */
+  const tell = (picked = -1) => {
+    if (embedded) { parent.postMessage({ forefront: 'moment', done: position.done, inner: position.event > 0, improved: position.improved, picked }, '*'); }
+  };
   /** Puts the position into the address, so that it can be passed on. Browsers allow this only a few times a second. */
-  const link = () => history.replaceState(null, '', '#' + position.done + (position.event ? '.' + position.event : '') + (position.improved ? '.improved' : ''));
+  const link = () => embedded || history.replaceState(null, '', '#' + position.done + (position.event ? '.' + position.event : '') + (position.improved ? '.improved' : ''));
   let linked = 0;
   const show = () => {
     const moment = momentNow();
@@ -411,6 +422,7 @@
     clearTimeout(linked);
     linked = setTimeout(link, 250);
     draw();
+    tell();
   };
 
   // ---- Controls ----
@@ -487,6 +499,28 @@
   plot.onpointerdown = (event) => { plot.setPointerCapture(event.pointerId); seek(event); };
   plot.onpointermove = (event) => { if (plot.hasPointerCapture(event.pointerId)) { seek(event); } };
 
+  // ---- The page around ----
+
+  /** { forefront: 'goTo', done, event, improved, follow, box, cells }: box is [x0, y0, x1, y1], or null for the whole domain. */
+  const obey = (wish) => {
+    pause();
+    following = wish.follow;
+    press('follow', following);
+    press('cells', wish.cells);
+    goTo(wish.done, wish.event, wish.improved);
+    if (!following) {
+      const [x0, y0, x1, y1] = wish.box || [0, 0, 0, 0];
+      moveTo(wish.box ? { x: (x0 + x1) / 2, y: (y0 + y1) / 2, zoom: Math.min(canvas.clientWidth / (x1 - x0), canvas.clientHeight / (y1 - y0)) } : whole());
+    }
+  };
+  if (embedded) {
+    document.body.classList.add('embedded');
+    addEventListener('message', (event) => {
+      if (event.source === parent && event.data && event.data.forefront === 'goTo') { obey(event.data); }
+      if (event.source === parent && event.data && event.data.forefront === 'theme') { setTheme(event.data.light); }
+    });
+  }
+
   // ---- Start ----
 
   stepWords.forEach((words, i) => {
@@ -505,7 +539,7 @@
   const place = /^#(\d+)(?:\.(\d+))?(\.improved)?$/.exec(location.hash);
   if (place) {
     const done = Math.min(Number(place[1]), last), events = done < last ? advances[done].events.length : 1;
-    Object.assign(position, { done, event: Math.min(Number(place[2] || 0), events - 1), improved: Boolean(place[3] && run.improved && done === last) });
+    Object.assign(position, { done, event: Math.max(0, Math.min(Number(place[2] || 0), events - 1)), improved: Boolean(place[3] && run.improved && done === last) });
   }
   document.documentElement.classList.toggle('light', matchMedia('(prefers-color-scheme: light)').matches);
   readColours();
@@ -513,4 +547,5 @@
   follow();
   show();
   new ResizeObserver(() => { drawPlot(); draw(); }).observe(canvas);
+  if (embedded) { parent.postMessage({ forefront: 'ready' }, '*'); }
 })();

@@ -18,6 +18,7 @@ struct RunPagePlan {
     std::string title;
     std::uint64_t from = 0;             ///< number of advances done when the page opens
     std::optional<std::uint64_t> steps; ///< number of advances after those; not set: to the end of the run
+    std::uint64_t maxAdvances = kMaxAdvances;
 };
 
 /// The extent of a written page.
@@ -28,7 +29,7 @@ struct WrittenRunPage {
 
 /// Runs a job and writes an HTML page that plays it: canvas, timeline, the ten steps with their values, candidates and
 /// captions. Elements are shown with their corners alone. The page needs no network and nothing beside it. Faults:
-/// those of the job, bad-range (the run ends before the page begins), too-large (more than RunPagePlan::kMaxAdvances),
+/// those of the job, bad-range (the run ends before the page begins), too-large (more than RunPagePlan::maxAdvances),
 /// cancelled; those of the sink are its own.
 Result<WrittenRunPage> writeRunPage(const MeshingJob &job, const RunPagePlan &plan, TextWriter &out,
                                     const Progress &progress);

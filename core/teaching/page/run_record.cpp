@@ -112,6 +112,15 @@ void RunRecord::triangles(const MeshView &mesh) {
     }
 }
 
+void RunRecord::elements(const AdvanceExplanation &advance, const MeshView &mesh) {
+    NumberList list(out_);
+    for (std::size_t k = 0; k < advance.elements; ++k) {
+        for (const NodeId node : mesh.cornersOf(index(advance.element) + k)) {
+            list.add(index(node));
+        }
+    }
+}
+
 void RunRecord::advance(const AdvanceExplanation &advance, const MeshView &mesh, WordList &words) {
     out_ << "{\"base\":";
     NumberList(out_).add(index(advance.nodeA)).add(index(advance.nodeB));
@@ -131,14 +140,7 @@ void RunRecord::advance(const AdvanceExplanation &advance, const MeshView &mesh,
         }
     }
     out_ << ",\"elements\":";
-    {
-        NumberList list(out_);
-        for (std::size_t k = 0; k < advance.elements; ++k) {
-            for (const NodeId node : mesh.cornersOf(index(advance.element) + k)) {
-                list.add(index(node));
-            }
-        }
-    }
+    elements(advance, mesh);
     std::size_t number = 0;
     writeList(out_, "events", advance.events, [&](const TraceEvent &event) {
         NumberList list(out_);

@@ -37,6 +37,8 @@ class RunRecord {
     /// Writes an advance as an object, without its number. `mesh`: holds the elements that it made; `words`: receives
     /// its captions.
     void advance(const AdvanceExplanation &advance, const MeshView &mesh, WordList &words);
+    /// Writes the elements that an advance made in place of the advance: [a, b, c, ...].
+    void elements(const AdvanceExplanation &advance, const MeshView &mesh);
 
   private:
     TextWriter &out_;

@@ -36,7 +36,7 @@ void GuessTool::nextBase(Shell &context) {
     const Moment moment = momentOf(run);
     if (moment && moment.cursor < moment.advance->events.size()) {
         context.run.step(Granularity::Advance, 1);
-    } else if (run.complete && run.advance == run.known) {
+    } else if (run.frontDone()) {
         context.run.seek(0);
     }
     context.run.step(Granularity::Event, 1);
@@ -50,7 +50,7 @@ void GuessTool::startAgain() {
 void GuessTool::activate(Shell &context) {
     startAgain();
     const SessionSnapshot &run = context.run.now();
-    const bool atEnd = context.run.hasRun() && !context.run.showsFile() && run.complete && run.advance == run.known;
+    const bool atEnd = context.run.hasRun() && !context.run.showsFile() && run.frontDone();
     endedRun_ = atEnd ? run.shownRun : 0;
     for (const char *layer : {"front", "candidates"}) {
         showLayer(context.layers, layer, true);

@@ -343,22 +343,18 @@ void RunControl::step(Granularity granularityOfStep, std::int64_t n) {
     session_.step(granularityOfStep, n);
 }
 
-void RunControl::seek(std::uint64_t advance) {
+void RunControl::seek(std::uint64_t position) {
     if (!beginMove()) {
         return;
     }
-    session_.seek(advance);
+    session_.seek(position);
 }
 
 void RunControl::seekEnd() {
     if (!beginMove()) {
         return;
     }
-    if (snapshot_->stepped && snapshot_->complete) { // else it shows a mesh that was made whole
-        session_.seek(snapshot_->known);
-    } else {
-        session_.finish();
-    }
+    session_.finish();
 }
 
 void RunControl::seekStop(bool forward) {

@@ -94,7 +94,8 @@ class RunControl final : public BackgroundActivity {
     void togglePlay();
     void step(Granularity granularity, std::int64_t n);
     void step(std::int64_t n) { step(granularity, n); }
-    void seek(std::uint64_t advance);
+    /// Moves to a position, see SessionSnapshot::position().
+    void seek(std::uint64_t position);
     void seekEnd();
     /// Moves to the next advance, or with `forward` false the previous one, that fulfils a breakpoint. Starts a run if
     /// there is none or it is out of date.

@@ -1,5 +1,7 @@
 #include "ui/workspace/view/follow_camera.hpp"
 
+#include "core/teaching/moment/moment.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -85,6 +87,23 @@ bool FollowCamera::follow(View &view, const Subject &subject, double seconds, do
     camera.zoom *= std::pow(ratio, step);
     camera.centre = lerp(camera.centre, centreAt(camera.zoom), step);
     return true;
+}
+
+std::optional<FollowCamera::Subject> subjectOf(const SessionSnapshot &run) {
+    if (const Moment moment = momentOf(run)) {
+        return FollowCamera::Subject{boxOf(*moment.advance), distance(moment.advance->a, moment.advance->b)};
+    }
+    if (!run.improvement || run.improvement->elements.empty()) {
+        return std::nullopt;
+    }
+    FollowCamera::Subject subject;
+    for (const auto &corners : run.improvement->elements) {
+        for (const Vec2 corner : corners) {
+            subject.box.add(corner);
+        }
+        subject.base = std::max(subject.base, distance(corners[0], corners[1]));
+    }
+    return subject;
 }
 
 } // namespace forefront

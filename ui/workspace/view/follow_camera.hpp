@@ -3,6 +3,8 @@
 #include "core/engine/session/snapshot.hpp"
 #include "ui/workspace/view/view.hpp"
 
+#include <optional>
+
 namespace forefront {
 
 /// Returns the box that shows an advance: its base, candidates, elements and search circle.
@@ -31,5 +33,9 @@ class FollowCamera {
 
     Subject target_; ///< shown in the middle of the free room; an empty box: none yet
 };
+
+/// Returns what there is to follow at a position of a run: the advance, or the place that a step of the improvement
+/// changed. None: nothing, or the step moves nodes all over the mesh.
+std::optional<FollowCamera::Subject> subjectOf(const SessionSnapshot &run);
 
 } // namespace forefront

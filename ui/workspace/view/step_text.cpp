@@ -95,7 +95,7 @@ std::optional<Step> liveStep(const SessionSnapshot &run, const Moment &moment) {
     if (run.state == RunState::Empty || run.state == RunState::Failed) {
         return std::nullopt;
     }
-    if (run.complete && run.advance == run.known) {
+    if (run.frontDone()) {
         return Step::Finish;
     }
     return run.advance == 0 ? std::optional(Step::BoundaryToFront) : std::nullopt;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/improve/improve_watch.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+/// The figures of a mesh by which a step of its improvement is judged.
+struct ShapeFigures {
+    double alphaMin = 0.0, alphaMean = 0.0;
+    double minAngle = 0.0; ///< degrees
+};
+
+/// A step of the improvement of a finished front, and what it changed.
+struct ImproveStep {
+    /// A node that stays in the mesh and moves.
+    struct Move {
+        NodeId node = kNoNode; ///< in the mesh shown
+        Vec2 from, to;
+    };
+    ImproveChange change = ImproveChange::Swap;
+    std::size_t number = 0; ///< of the step, from 1
+    std::vector<Move> moves;
+    std::vector<Vec2> addedNodes, removedNodes;
+    std::vector<std::array<Vec2, 2>> addedEdges;   ///< as they are after the step
+    std::vector<std::array<Vec2, 2>> removedEdges; ///< as they were before it
+    std::vector<std::array<Vec2, 3>> elements;     ///< made by the step, after it
+    ShapeFigures before, after;                    ///< of the whole mesh
+};
+
+/// Returns the figures of a mesh.
+ShapeFigures figuresOf(const TriMesh &mesh);
+
+/// Returns a step as a caption: "Improvement 3 of 41: edge swapped; minimum α .652 → .701, mean .931 → .932, minimum
+/// angle 31.2° → 33.0°". `steps`: of the improvement.
+std::string caption(const ImproveStep &step, std::size_t steps);
+
+} // namespace forefront

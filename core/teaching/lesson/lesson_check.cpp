@@ -1,0 +1,268 @@
+#include "core/teaching/lesson/lesson_check.hpp"
+
+#include "core/engine/base/cancelled.hpp"
+#include "core/files/common/names.hpp"
+#include "core/files/json/json.hpp"
+#include "core/files/source/text_place.hpp"
+#include "core/teaching/lesson/lesson_run.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+/// Longer runs are searched for a state that fulfils a task only where the lesson itself leads.
+constexpr std::uint64_t kMaxSearched = 20'000;
+
+/// The members of a page in the file, for the places of faults.
+class PageMembers {
+  public:
+    PageMembers(const JsonValue &page, std::string_view text) : page_(page), text_(text) {}
+
+    /// Returns the place of a member, such as "question", "choices"; of the innermost that is there.
+    TextPlace place(std::initializer_list<std::string_view> path) const {
+        JsonValue value = page_;
+        for (const std::string_view name : path) {
+            const auto member = value.is(JsonKind::Object) ? value.find(name) : std::nullopt;
+            if (!member) {
+                break;
+            }
+            value = *member;
+        }
+        return placeOf(text_, value.offset());
+    }
+
+  private:
+    JsonValue page_;
+    std::string_view text_;
+};
+
+/// Checks a page at a time, and keeps the run of the last one.
+class LessonChecker {
+  public:
+    LessonChecker(const SourceText &source, const Progress &progress) : source_(source), progress_(progress) {}
+
+    void check(const LessonPage &page, const PageMembers &members) {
+        page_ = &page;
+        members_ = &members;
+        const SessionSnapshot none;
+        if (!page.document) {
+            checkTexts({none});
+            checkQuestion({none});
+            return;
+        }
+        if (!takeRun()) {
+            return;
+        }
+        checkPosition(page.position, {"position"});
+        const std::shared_ptr<const SessionSnapshot> shown = run_->at(page.position);
+        checkTexts({*shown});
+        checkQuestion({*shown});
+    }
+
+    Diagnostics take() { return std::move(faults_); }
+
+  private:
+    using Path = std::initializer_list<std::string_view>;
+
+    void add(Severity severity, const char *code, Path path, const std::string &message, std::string advice = {}) {
+        const TextPlace place = members_->place(path);
+        Diagnostic fault;
+        fault.severity = severity;
+        fault.code = code;
+        fault.message = "page " + inQuotes(page_->title) + ": " + message;
+        fault.advice = std::move(advice);
+        fault.file = source_.name;
+        fault.line = place.line;
+        fault.column = place.column;
+        faults_.push_back(std::move(fault));
+    }
+
+    /// Makes the run of the page unless it is that of the page before. Returns false if there is none.
+    bool takeRun() {
+        if (ranPage_ != nullptr && sameRun(*ranPage_, *page_)) {
+            return run_.has_value();
+        }
+        ranPage_ = page_;
+        run_.reset();
+        Result<LessonRun> run = LessonRun::create(*page_, progress_);
+        if (run) {
+            run_.emplace(*std::move(run));
+            return true;
+        }
+        if (!progress_.cancelled()) {
+            const Diagnostic &fault = run.faults().front();
+            add(Severity::Error, "not-meshed", {"document"},
+                "the drawing " + inQuotes(page_->documentName) + " cannot be meshed: " + fault.message, fault.advice);
+        }
+        return false;
+    }
+
+    void checkPosition(const LessonPosition &position, Path path) {
+        if (position.atEnd) {
+            return;
+        }
+        if (position.advance > run_->advances() + run_->improveSteps()) {
+            add(Severity::Error, "lesson-position", path,
+                "position " + std::to_string(position.advance) + " is beyond the end of the run, which has " +
+                    std::to_string(run_->advances()) + " advances and " + std::to_string(run_->improveSteps()) +
+                    " steps of improvement",
+                "expected at most " + std::to_string(run_->advances()) + ", or \"end\"");
+            return;
+        }
+        const std::shared_ptr<const SessionSnapshot> there = run_->at(position, false);
+        const std::uint64_t past = there->advance - std::min(there->advance, position.advance);
+        if (position.events > 0 && (past > 1 || (past == 1 && there->eventCursor < there->eventCount))) {
+            add(Severity::Error, "lesson-position", path,
+                std::to_string(position.events) + " events are more than advance " +
+                    std::to_string(position.advance + 1) + " has");
+        }
+    }
+
+    /// Reports values in braces that have no number in a state.
+    void checkText(std::string_view text, const LessonState &state, Path path) {
+        for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+            const std::string_view word = text.substr(open + 1, text.find('}', open) - open - 1);
+            const auto value = fromWord<LessonValue>(word);
+            if (value && !valueOf(*value, state)) {
+                add(Severity::Error, "no-value", path,
+                    "the value " + inQuotes(word) + " has no number at the position of the page",
+                    page_->document ? "choose a position where it has one, such as after an advance"
+                                    : "add \"document\" to this page or to an earlier one");
+            }
+        }
+    }
+
+    void checkTexts(const LessonState &state) {
+        for (const std::string &paragraph : page_->paragraphs) {
+            checkText(paragraph, state, {"text"});
+        }
+    }
+
+    void checkQuestion(const LessonState &state) {
+        if (!page_->question) {
+            return;
+        }
+        const LessonQuestion &question = *page_->question;
+        checkText(question.text, state, {"question", "text"});
+        checkText(question.hint, state, {"question", "hint"});
+        if (run_ && page_->document && question.show) {
+            checkPosition(*question.show, {"question", "show"});
+        }
+        if (const auto *choices = std::get_if<LessonChoices>(&question.answer)) {
+            checkChoices(*choices, state);
+            checkText(question.why, state, {"question", "why"});
+        } else if (const auto *number = std::get_if<LessonNumber>(&question.answer)) {
+            if (!valueOf(number->value, state)) {
+                add(Severity::Error, "no-answer", {"question", "number"},
+                    "the value " + inQuotes(wordOf(number->value)) + " has no number at the position of the page");
+            }
+            checkText(question.why, state, {"question", "why"});
+        } else {
+            checkTask(std::get<LessonTask>(question.answer), state);
+        }
+    }
+
+    void checkChoices(const LessonChoices &choices, const LessonState &state) {
+        std::size_t right = 0;
+        for (std::size_t k = 0; k < choices.list.size(); ++k) {
+            checkText(choices.list[k].text, state, {"question", "choices"});
+            right += isRight(choices, k, state) ? 1U : 0U;
+        }
+        if (right == 0) {
+            add(Severity::Error, "no-answer", {"question", "choices"}, "no choice is right at the position of the page",
+                "correct the conditions, or the position");
+        } else if (right == choices.list.size()) {
+            add(Severity::Warning, "all-right", {"question", "choices"}, "every choice is right");
+        }
+    }
+
+    void checkTask(const LessonTask &task, const LessonState &state) {
+        if (!run_ || !page_->document) {
+            add(Severity::Error, "no-answer", {"question", "until"}, "a task needs a run",
+                "add \"document\" to this page or to an earlier one");
+            return;
+        }
+        if (isDone(task, state)) {
+            add(Severity::Warning, "done-already", {"question", "until"},
+                "the task is done at the position of the page");
+        }
+        const auto &show = page_->question->show;
+        const std::shared_ptr<const SessionSnapshot> shown = show ? run_->at(*show) : nullptr;
+        if (shown && !canBeDone(task, *shown)) {
+            add(Severity::Error, "wrong-show", {"question", "show"},
+                "the task is not done at this position, where Show me leads");
+        }
+        if (!shown && !isReachable(task)) {
+            add(Severity::Error, "no-answer", {"question", "until"}, "no position of the run fulfils the task");
+        }
+    }
+
+    /// Returns true if a state fulfils a task, or would with one of its candidates chosen.
+    static bool canBeDone(const LessonTask &task, const SessionSnapshot &run) {
+        if (isDone(task, {run, std::nullopt})) {
+            return true;
+        }
+        const std::size_t candidates =
+            asksForCandidate(task) && run.explanation ? run.explanation->candidates.size() : 0;
+        for (std::size_t k = 0; k < candidates; ++k) {
+            if (isDone(task, {run, k})) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool isReachable(const LessonTask &task) {
+        if (canBeDone(task, *run_->at(page_->position)) || canBeDone(task, *run_->at({.atEnd = true}))) {
+            return true;
+        }
+        if (run_->advances() > kMaxSearched) {
+            return true; // not known
+        }
+        const bool ofMesh = std::any_of(task.until.begin(), task.until.end(), [](const LessonCondition &condition) {
+            return condition.value == LessonValue::MeanDelta || condition.other == LessonValue::MeanDelta;
+        });
+        for (std::uint64_t k = 0; k <= run_->advances() + run_->improveSteps() && !progress_.cancelled(); ++k) {
+            if (canBeDone(task, *run_->at({.advance = k}, ofMesh))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const SourceText &source_;
+    const Progress &progress_;
+    Diagnostics faults_;
+    const LessonPage *page_ = nullptr;
+    const PageMembers *members_ = nullptr;
+    const LessonPage *ranPage_ = nullptr; ///< whose run it is
+    std::optional<LessonRun> run_;
+};
+
+} // namespace
+
+Diagnostics checkLesson(const Lesson &lesson, const SourceText &source, const Progress &progress) {
+    const auto json = JsonDocument::parse(source);
+    const auto pages = json ? json->root().find("pages") : std::nullopt;
+    if (!pages) {
+        return json ? Diagnostics{} : json.faults();
+    }
+    LessonChecker checker(source, progress);
+    std::size_t number = 0;
+    for (const JsonValue item : *pages) {
+        if (progress.cancelled()) {
+            return cancelled("the check");
+        }
+        checker.check(lesson.pages[number++], PageMembers(item, source.text));
+    }
+    return progress.cancelled() ? cancelled("the check") : checker.take();
+}
+
+} // namespace forefront

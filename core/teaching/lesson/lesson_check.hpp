@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/files/source/source.hpp"
+#include "core/teaching/lesson/lesson.hpp"
+
+namespace forefront {
+
+/// Runs the drawings of a lesson and checks what only a run can tell: that each drawing can be meshed, that positions
+/// and moments exist, that values in texts have a number, that each question has a right answer and that each task can
+/// be done. `source`: the file that the lesson was read from. Returns the faults with their places in it, warnings
+/// among them: a question with right answers only, or a task that is done from the start; "cancelled" alone if it was.
+Diagnostics checkLesson(const Lesson &lesson, const SourceText &source, const Progress &progress);
+
+} // namespace forefront

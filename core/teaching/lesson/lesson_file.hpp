@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/teaching/lesson/lesson_read.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace forefront {
+
+/// A lesson with the file that it was read from.
+struct LessonFile {
+    std::filesystem::path path;
+    std::string text;
+    Lesson lesson;
+
+    /// Returns the text with its name, for the places of faults. It views this file.
+    SourceText source() const;
+};
+
+/// Reads a lesson and its drawings, which lie in its folder or below it. `names`: without the reader of documents.
+/// Errors: cannot-read, too-large (a lesson is at most 4 MiB), those of readLesson().
+Result<LessonFile> readLessonFile(const std::filesystem::path &path, LessonNames names);
+
+} // namespace forefront

@@ -1,0 +1,184 @@
+'use strict';
+(() => {
+  const $ = (id) => document.getElementById(id);
+  const lesson = JSON.parse($('lesson').textContent);
+  const words = (index) => lesson.words[index];
+  const player = $('player');
+  const given = lesson.pages.map(() => []); // the answers to the question of each page, in order: { answer, right }
+  let page = 0, shownRun = -1, ready = false;
+  /** What the player shows: { done, inner, improved, picked }; null before its first word. */
+  let moment = null;
+  const light = matchMedia('(prefers-color-scheme: light)').matches;
+  document.documentElement.classList.toggle('light', light);
+
+  // ---- The player ----
+
+  /** Returns the document of the player with a run. */
+  const playerOf = (run) => '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"></head><body>' +
+    $('player-parts').innerHTML.replace('<!--run-->', () => '<script type="application/json" id="run">' + $('run' + run).textContent + '<' + '/script>') +
+    '</body></html>';
+  const tellTheme = () => {
+    if (ready) { player.contentWindow.postMessage({ forefront: 'theme', light: document.documentElement.classList.contains('light') }, '*'); }
+  };
+  const goTo = (at) => {
+    const { view, cells } = lesson.pages[page];
+    if (ready) {
+      player.contentWindow.postMessage({ forefront: 'goTo', done: at[0], event: at[1], improved: at[2] === 1, follow: view.follow === 1,
+        box: view.box || null, cells: cells === 1 }, '*');
+    }
+  };
+  const showScene = () => {
+    const { run, at } = lesson.pages[page];
+    player.hidden = run < 0;
+    if (run < 0 || run === shownRun) {
+      if (run >= 0) { goTo(at); }
+      return;
+    }
+    shownRun = run;
+    ready = false;
+    moment = null;
+    player.srcdoc = playerOf(run);
+  };
+  addEventListener('message', (event) => {
+    if (event.source !== player.contentWindow || !event.data) { return; }
+    if (event.data.forefront === 'ready') {
+      ready = true;
+      tellTheme();
+      goTo(lesson.pages[page].at);
+    } else if (event.data.forefront === 'moment' && ready) {
+      const before = moment;
+      moment = event.data;
+      const same = before && before.done === moment.done && before.inner === moment.inner && before.improved === moment.improved;
+      if (moment.picked < 0 && same) { return; }
+      checkTask();
+    }
+  });
+
+  // ---- The question ----
+
+  const questionNow = () => lesson.pages[page].question;
+  const solved = () => given[page].some((answer) => answer.right);
+  const reply = (right, text) => {
+    $('reply').className = right ? 'right' : 'wrong';
+    $('reply').textContent = text;
+  };
+  const answer = (text, right, why) => {
+    given[page].push({ answer: text, right });
+    const question = questionNow();
+    reply(right, right ? why || 'Right.' : question.hint || 'Not yet. Try again.');
+  };
+  /** A task is done at the listed moments: [advances done, within the next one, improved, candidate or -1, words]. */
+  const checkTask = () => {
+    const question = questionNow();
+    if (!question || !question.done || !moment || solved()) { return; }
+    const found = question.done.find(([done, inner, improved, picked]) => done === moment.done && (inner === 1) === moment.inner &&
+      (improved === 1) === moment.improved && (picked < 0 || picked === moment.picked));
+    if (found) {
+      answer('advance ' + moment.done, true, words(found[4]));
+    } else if (moment.picked >= 0 && question.asksForCandidate) {
+      answer('candidate ' + (moment.picked + 1), false);
+    }
+  };
+  const button = (text, act) => {
+    const made = document.createElement('button');
+    made.type = 'button';
+    made.textContent = text;
+    made.onclick = act;
+    return made;
+  };
+  const parse = (text) => Number(text.includes('.') ? text : text.replace(',', '.'));
+  const answerNumber = () => {
+    const field = $('typed'), value = parse(field.value.trim()), { number, within, why } = questionNow();
+    if (field.value.trim() === '' || Number.isNaN(value)) { reply(false, 'Expected a number such as 12 or 0.5.'); return; }
+    answer(field.value.trim(), Math.abs(value - number) <= within, why);
+  };
+  const showQuestion = () => {
+    const question = questionNow();
+    $('question').hidden = !question;
+    if (!question) { return; }
+    $('asked').textContent = question.text;
+    $('reply').textContent = $('reply').className = '';
+    $('show').hidden = !question.show;
+    const answers = $('answers');
+    answers.replaceChildren();
+    if (question.choices) {
+      question.choices.forEach(({ text, right }, i) => {
+        const choice = button((i + 1) + '.  ' + text, () => {
+          choice.className = right ? 'right' : 'wrong';
+          answer(text, right, question.why);
+        });
+        answers.append(choice);
+      });
+    } else if ('number' in question) {
+      const row = document.createElement('div'), field = document.createElement('input');
+      row.className = 'number';
+      field.id = 'typed';
+      field.inputMode = 'decimal';
+      field.setAttribute('aria-label', 'Your answer, a number');
+      row.append(field, button('Check', answerNumber));
+      answers.append(row);
+    }
+    if (solved()) { reply(true, 'Answered.'); }
+  };
+  $('question').onsubmit = (event) => {
+    event.preventDefault();
+    if ($('typed')) { answerNumber(); }
+  };
+  $('show').onclick = () => goTo(questionNow().show);
+
+  // ---- Pages ----
+
+  const showPage = () => {
+    const { title, text } = lesson.pages[page];
+    $('number').textContent = 'Page ' + (page + 1) + ' of ' + lesson.pages.length;
+    $('heading').textContent = title;
+    $('text').replaceChildren(...text.map((paragraph) => {
+      const p = document.createElement('p');
+      p.textContent = paragraph;
+      return p;
+    }));
+    $('previous').disabled = page === 0;
+    $('following').disabled = page + 1 === lesson.pages.length;
+    $('lesson-page').scrollTop = 0;
+    moment = null;
+    showQuestion();
+    showScene();
+  };
+  const turn = (by) => {
+    const to = page + by;
+    if (to >= 0 && to < lesson.pages.length) { page = to; showPage(); }
+  };
+  $('previous').onclick = () => turn(-1);
+  $('following').onclick = () => turn(1);
+  addEventListener('keydown', (event) => {
+    const choice = Number(event.key);
+    const choices = $('answers').querySelectorAll('button');
+    if (event.key === 'PageDown' || event.key === 'PageUp') {
+      event.preventDefault();
+      turn(event.key === 'PageDown' ? 1 : -1);
+    } else if (event.target.tagName !== 'INPUT' && questionNow() && questionNow().choices && choice >= 1 && choice <= choices.length) {
+      choices[choice - 1].click();
+    }
+  });
+
+  // ---- Answers as a file ----
+
+  $('save').onclick = () => {
+    const record = { format: 'forefront-answers', version: 1, lesson: lesson.title,
+      pages: lesson.pages.map(({ title, question }, i) => ({ title, question: question ? question.text : null, answers: given[i] })) };
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([JSON.stringify(record, null, 2) + '\n'], { type: 'application/json' }));
+    link.download = lesson.title.replace(/[^\p{L}\p{N}]+/gu, '-').toLowerCase() + '-answers.json';
+    link.click();
+    URL.revokeObjectURL(link.href);
+  };
+  $('theme').onclick = () => {
+    document.documentElement.classList.toggle('light');
+    tellTheme();
+  };
+
+  document.title = lesson.title;
+  $('title').textContent = lesson.title;
+  $('about').textContent = lesson.about;
+  showPage();
+})();

@@ -1,0 +1,140 @@
+#include "core/teaching/page/recorded_run.hpp"
+
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
+#include "core/files/json/json.hpp"
+#include "core/teaching/page/run_record.hpp"
+
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+Result<RecordedRun> stepThrough(MeshingJob job, const RunPagePlan &plan, const Progress &progress) {
+    const MeshingOptions options = job.options;
+    job.options.improve = ImproveLevel::None;
+    job.options.order = ElementOrder::First;
+    Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
+    if (!stepper) {
+        return stepper.faults();
+    }
+    RecordedRun steps{options, stepper->mesh(), stepper->front(), {}, {}, false, {}};
+    while (!plan.steps || steps.advances.size() < plan.from + *plan.steps) {
+        if (progress.cancelled()) {
+            return error("cancelled", "the page was cancelled");
+        }
+        if (stepper->advance() == 0) {
+            break;
+        }
+        if (steps.advances.size() == plan.maxAdvances) {
+            return error("too-large",
+                         "the run has more than " + std::to_string(plan.maxAdvances) + " advances, too many for a page",
+                         "choose a larger size, or limit the page with --steps");
+        }
+        steps.advances.push_back(stepper->explanation());
+    }
+    if (plan.from > steps.advances.size()) {
+        return error("bad-range", "the page begins after advance " + std::to_string(plan.from) +
+                                      ", but the run has only " + std::to_string(steps.advances.size()) + " advances");
+    }
+    steps.complete = stepper->atEnd();
+    steps.mesh = stepper->mesh();
+    return steps;
+}
+
+/// Returns the line below the title: "Classic method, hierarchical grid".
+std::string aboutText(const MeshingOptions &options) {
+    std::string text = options.method == Method::Classic ? "Classic method, " : "Fast method, ";
+    return text + (options.grid == GridKind::None ? "no" : std::string(wordOf(options.grid))) + " grid";
+}
+
+/// Writes the values that the player shows of a finished mesh.
+void writeShape(TextWriter &out, const MeshView &mesh) {
+    const MeshQuality quality = measureQuality(mesh, nullptr);
+    out << "\"mean\":" << quality.alphaMean << ",\"least\":" << quality.alphaMin;
+}
+
+} // namespace
+
+Result<RecordedRun> recordRun(const MeshingJob &job, const RunPagePlan &plan, const Progress &progress) {
+    Result<RecordedRun> run = stepThrough(job, plan, progress);
+    if (!run) {
+        return run.faults();
+    }
+    if (run->complete && job.options.improve != ImproveLevel::None) {
+        MeshingJob shown = job;
+        shown.options.order = ElementOrder::First; // as the front made them
+        Result<MeshingOutcome> outcome = meshDomain(shown, progress);
+        if (!outcome) {
+            return outcome.faults();
+        }
+        run->improved = std::move(outcome->mesh);
+    }
+    return run;
+}
+
+std::string scriptString(const std::string &text) {
+    std::string json = jsonString(text);
+    for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at + 3)) {
+        json.insert(at + 1, "\\");
+    }
+    return json;
+}
+
+/// Returns text as the content of an HTML element.
+std::string htmlText(const std::string &text) {
+    std::string html;
+    for (const char c : text) {
+        html += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+    }
+    return html;
+}
+
+void writeRun(TextWriter &out, const RecordedRun &steps, const std::string &title, std::uint64_t from,
+              const std::vector<bool> &detailed) {
+    RunRecord record(out);
+    WordList words;
+    out << "{\"title\":" << scriptString(title) << ",\"about\":" << jsonString(aboutText(steps.options))
+        << ",\"from\":" << from << ",\"boundaryNodes\":" << steps.start.nodes.size() << ",\n\"nodes\":";
+    record.nodes(steps.mesh.nodes);
+    out << ",\n\"edges\":";
+    record.edges(steps.start);
+    out << ",\n\"front\":[";
+    for (const FrontSegmentView &segment : steps.front) {
+        out << (&segment == steps.front.data() ? "" : ",") << index(segment.nodeA) << ',' << index(segment.nodeB);
+    }
+    out << "],\n\"advances\":[";
+    for (const auto &advance : steps.advances) {
+        out << (&advance == steps.advances.data() ? "\n" : ",\n");
+        const auto number = static_cast<std::size_t>(&advance - steps.advances.data());
+        if (detailed.empty() || detailed[number]) {
+            record.advance(*advance, steps.mesh, words);
+        } else {
+            record.elements(*advance, steps.mesh);
+        }
+    }
+    out << "],\n\"words\":[";
+    for (const std::string &word : words.words()) {
+        out << (&word == words.words().data() ? "" : ",\n") << scriptString(word);
+    }
+    out << "],\n\"raw\":{";
+    writeShape(out, steps.mesh);
+    out << "},\n\"improved\":";
+    if (!steps.improved) {
+        out << "null}";
+        return;
+    }
+    out << '{';
+    writeShape(out, *steps.improved);
+    out << ",\"nodes\":";
+    record.nodes(steps.improved->nodes);
+    out << ",\"edges\":";
+    record.edges(*steps.improved);
+    out << ",\"elements\":";
+    record.triangles(*steps.improved);
+    out << "}}";
+}
+
+} // namespace forefront

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesher/trace.hpp"
+#include "core/engine/session/snapshot.hpp"
+#include "core/teaching/page/run_page.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace forefront {
+
+/// The steps of a run, as far as a page plays them.
+struct RecordedRun {
+    MeshingOptions options;              ///< of the job
+    Mesh start;                          ///< before the first advance
+    std::vector<FrontSegmentView> front; ///< before the first advance
+    std::vector<std::shared_ptr<const AdvanceExplanation>> advances;
+    Mesh mesh;                    ///< after the last one, not improved
+    bool complete = false;        ///< they end with the run
+    std::optional<Mesh> improved; ///< the finished mesh, if the run is complete and improves it
+};
+
+/// Runs a job and keeps its steps. Faults: those of writeRunPage().
+Result<RecordedRun> recordRun(const MeshingJob &job, const RunPagePlan &plan, const Progress &progress);
+
+/// Writes a run as the player reads it: JSON that can stand in a script element. `from`: number of advances done when
+/// the player opens. `detailed`: per advance, whether its candidates, tests and cells are written, and not its elements
+/// alone; empty: those of all.
+void writeRun(TextWriter &out, const RecordedRun &run, const std::string &title, std::uint64_t from,
+              const std::vector<bool> &detailed = {});
+
+/// Returns text as a JSON string that cannot end the script element that it is in.
+std::string scriptString(const std::string &text);
+/// Returns text as the content of an HTML element.
+std::string htmlText(const std::string &text);
+
+} // namespace forefront

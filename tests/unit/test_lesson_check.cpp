@@ -1,0 +1,145 @@
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/teaching/lesson/lesson_check.hpp"
+#include "core/teaching/lesson/lesson_names.hpp"
+#include "core/teaching/lesson/lesson_read.hpp"
+#include "core/teaching/lesson_page/lesson_page.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <stop_token>
+#include <string>
+#include <utility>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace checked_lessons {
+
+/// Returns a square of side 4 with a size of 1; with another name than "square", two of its sides cross.
+Result<Document> drawing(const std::string &name) {
+    Domain domain;
+    domain.nodes = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    if (name != "square") {
+        std::swap(domain.nodes[1], domain.nodes[2]);
+    }
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        domain.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
+    }
+    Document document = fromDomain(domain);
+    document.spacing.size = 1.0;
+    document.options.method = Method::Classic;
+    return document;
+}
+
+/// Returns a lesson with one page about the square. `members`: further ones of the page.
+std::string lesson(const std::string &members, const std::string &document = "square") {
+    return "{\"format\": \"forefront-lesson\", \"version\": 1, \"title\": \"T\", \"pages\": [\n"
+           "{\"title\": \"P\", \"text\": \"t\", \"document\": \"" +
+           document + "\"" + members + "}]}";
+}
+
+std::string question(const std::string &members) {
+    return ",\n\"question\": {\"text\": \"q\",\n" + members + "}";
+}
+
+/// Returns the faults of a lesson that can be read.
+Diagnostics faultsOf(const std::string &text) {
+    LessonNames names;
+    names.document = drawing;
+    const SourceText source = sourceOf(text);
+    const Result<Lesson> read = readLesson(source, names);
+    REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+    return checkLesson(*read, source, {});
+}
+
+std::string codesOf(const std::string &text) {
+    std::string codes;
+    for (const Diagnostic &fault : faultsOf(text)) {
+        codes += (codes.empty() ? "" : " ") + fault.code;
+    }
+    return codes;
+}
+
+} // namespace checked_lessons
+
+TEST_CASE("Lesson check: a lesson whose questions have answers is free of faults") {
+    using namespace checked_lessons;
+    CHECK(codesOf(lesson("")) == "");
+    CHECK(codesOf(lesson(", \"position\": 3" + question("\"number\": \"front\""))) == "");
+    CHECK(codesOf(lesson(
+              ", \"position\": \"end\"" +
+              question(R"("choices": [{"text": "a", "right": {"value": "finished", "is": 1}}, {"text": "b"}])"))) ==
+          "");
+    CHECK(codesOf(lesson(question(R"("until": {"value": "finished", "is": 1}, "show": "end")"))) == "");
+    CHECK(codesOf(lesson(question(R"("until": {"value": "elements", "is": 5})"))) == "");
+    CHECK(codesOf(lesson(", \"position\": 1" + question(R"("until": {"value": "chosen", "is": "winner"})"))) == "");
+    CHECK(codesOf(lesson(question(R"("until": {"value": "improve-step", "is": 2})"))) == "");
+}
+
+TEST_CASE("Lesson check: what only a run can tell is reported with its page and line") {
+    using namespace checked_lessons;
+    const Diagnostics faults = faultsOf(lesson(question(R"("until": {"value": "elements", "is": 5000})")));
+    REQUIRE(faults.size() == 1);
+    CHECK(faults.front().code == "no-answer");
+    CHECK(faults.front().line == 4);
+    CHECK(faults.front().message.find("page 'P'") != std::string::npos);
+    CHECK(codesOf(lesson("", "crossing")) == "not-meshed");
+    CHECK(codesOf(lesson(", \"position\": 5000")) == "lesson-position");
+    CHECK(codesOf(lesson(R"(, "position": {"advance": 1, "events": 400})")) == "lesson-position");
+    CHECK(codesOf(lesson(question(R"("number": "score")"))) == "no-answer"); // before the first advance
+    CHECK(codesOf(lesson(question(
+              R"("choices": [{"text": "a", "right": {"value": "front", "is": 3}}, {"text": "b"}])"))) == "no-answer");
+    CHECK(codesOf(lesson(question(R"("choices": [{"text": "a", "right": true}, {"text": "b", "right": true}])"))) ==
+          "all-right");
+    CHECK(codesOf(lesson(question(R"("until": {"value": "advance", "is": 0})"))) == "done-already");
+    CHECK(codesOf(lesson(question(R"("until": {"value": "elements", "is": 5}, "show": 4)"))) == "wrong-show");
+    CHECK(codesOf(lesson(question(R"("number": "front", "why": "{alpha}")"))) == "no-value");
+}
+
+TEST_CASE("Lesson check: stops when it is cancelled") {
+    using namespace checked_lessons;
+    LessonNames names;
+    names.document = drawing;
+    const std::string text = lesson("");
+    const SourceText source = sourceOf(text);
+    const Result<Lesson> read = readLesson(source, names);
+    REQUIRE(read.ok());
+    std::stop_source stop;
+    stop.request_stop();
+    Progress progress;
+    progress.stop = stop.get_token();
+    const Diagnostics faults = checkLesson(*read, source, progress);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults.front().code == "cancelled");
+}
+
+TEST_CASE("Lesson check: names of layers, panels and widgets are known without a window") {
+    const LessonNames names = editorNames();
+    CHECK(names.layers.size() == 20);
+    CHECK(names.panels.size() == 18);
+    CHECK(names.widgets.at("steps").back() == "steps/10");
+    const std::string text = checked_lessons::lesson(R"(, "layers": ["mesch"])");
+    const Result<Lesson> read = readLesson(sourceOf(text), names);
+    REQUIRE_FALSE(read.ok());
+    CHECK(read.faults().front().code == "unknown-name");
+}
+
+TEST_CASE("Lesson page: has the values, the right answers and the moments of its tasks") {
+    using namespace checked_lessons;
+    LessonNames names;
+    names.document = drawing;
+    const std::string text = lesson(R"(, "position": 2)" +
+                                    question(R"("until": {"value": "elements", "is": 3}, "why": "{front} </script>")"));
+    const Result<Lesson> read = readLesson(sourceOf(text), names);
+    REQUIRE(read.ok());
+    StringSink sink;
+    TextWriter out(sink);
+    REQUIRE(writeLessonPage(*read, out, {}).empty());
+    out.flush();
+    const std::string &page = sink.text;
+    CHECK(page.find("\"run\":0,\"at\":[2,0,0]") != std::string::npos);
+    CHECK(page.find("\"done\":[[3,0,0,-1,0],[3,1,0,-1,0]]") != std::string::npos);
+    CHECK(page.find("<\\/script>") != std::string::npos);
+    CHECK(page.find("http") == std::string::npos);
+}
