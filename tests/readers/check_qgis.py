@@ -101,7 +101,7 @@ def main():
     checks.append(("values of SELAFIN by QGIS", lambda: check_values(samples["sample"].files["selafin"], "bottom")))
     checks.append(("XDMF is no mesh for QGIS", lambda: check_xdmf_is_no_mesh(samples["sample"])))
     checks += [(f"{os.path.basename(file)} by QGIS", lambda f=file, s=system: check_system(f, s))
-               for file, system in (pair.split("=") for pair in sys.argv[4:])]
+               for file, system in (pair.split("=", 1) for pair in sys.argv[4:])]
     if len(sys.argv) > 3 and sys.argv[3] != "-":
         checks.append(("picture by QGIS", lambda: draw(samples["sample"].files["2dm"], sys.argv[3])))
     lines, passed = samples.run(checks)
