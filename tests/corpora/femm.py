@@ -107,7 +107,7 @@ def judge(build, path):
                                check=False).returncode == 0
         numbers = json.loads(statistics.read_text())
         area = area_of(path)
-        return {"result": "meshed", "seconds": seconds, "valid": valid, "triangles": numbers["triangles"],
+        return {"result": "meshed", "seconds": seconds, "valid": valid, "triangles": numbers["elements"],
                 "error": abs(numbers["area"] - area) / area}
 
 
@@ -128,7 +128,7 @@ def run(corpus, build):
         for path, row in rows:
             if row["result"] != "meshed" or not row["valid"] or row["error"] > MAX_AREA_ERROR:
                 remarks.append(f"| {name}/{path.name} | {row['result']} | {row.get('valid', '')} | "
-                               f"{row.get('error', math.nan):.4f} |")
+                               f"{row.get("error", math.nan):.4f} |")
     print("\n| remarkable file | result | valid | error of the area |\n|---|---|---|---|")
     print("\n".join(remarks))
 
