@@ -227,7 +227,7 @@ int reportQuality(const CheckArguments &arguments, const std::filesystem::path &
         printFaults(spacing.faults());
         return kUsage;
     }
-    MeshReport report = reportOf(mesh, spacing->get(), valid);
+    MeshReport report = reportOf(mesh, spacing->get(), valid, valid);
     report.hash = meshHash(given);
     const std::vector<LimitVerdict> verdicts = checkLimits(mesh, arguments.limits, spacing->get(), kListedPlaces);
     if (arguments.statistics) {

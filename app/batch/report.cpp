@@ -51,9 +51,20 @@ std::string narrowPlaceLines(const SharpCorners &sharp) {
     return text;
 }
 
-} // namespace
-
-namespace {
+/// Counts parts and holes as if the cracks of a mesh were closed: a crack is no hole.
+void countAsClosed(const MeshView &mesh, MeshReport &report) {
+    if (openLines(mesh).empty()) {
+        return;
+    }
+    const ClosedMesh closed = closeCracks(mesh);
+    std::size_t edges = report.quality.edges;
+    for (const OpenLine &line : closed.lines) {
+        edges -= line.edges;
+    }
+    const MeshExtent whole = extentOf(closed.mesh, edges);
+    report.extent.parts = whole.parts;
+    report.extent.holes = whole.holes;
+}
 
 void measureEdges(const MeshView &mesh, MeshReport &report) {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0.0; // squares
@@ -73,10 +84,13 @@ void measureEdges(const MeshView &mesh, MeshReport &report) {
 
 } // namespace
 
-MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool valid) {
+MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool valid, bool open) {
     MeshReport report;
     report.quality = measureQuality(mesh, spacing);
     report.extent = extentOf(mesh, report.quality.edges);
+    if (open) {
+        countAsClosed(mesh, report);
+    }
     report.bounds = mesh.bounds();
     if (valid) {
         report.sharp = sharpCorners(mesh, kSharpCorner);
@@ -90,7 +104,8 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options) {
     const std::uint64_t peak = peakMemory(); // before measuring, which needs more memory
     RunReport report;
-    static_cast<MeshReport &>(report) = reportOf(outcome.mesh, outcome.spacing.get(), true);
+    static_cast<MeshReport &>(report) =
+        reportOf(outcome.mesh, outcome.spacing.get(), true, !outcome.cracks.cracks.empty());
     report.peakBytes = peak;
     report.work = outcome.work;
     report.improve = options.improve;

@@ -57,8 +57,9 @@ struct RunReport : MeshReport {
     double meshCpu() const { return secondsPrepare + secondsMesh + secondsImprove; }
 };
 
-/// Measures a mesh. `spacing`: may be null. `valid`: whether its corners can be found.
-MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool valid);
+/// Measures a mesh. `spacing`: may be null. `valid`: whether its corners can be found. `open`: it may have open lines,
+/// which are closed where parts and holes are counted.
+MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool valid, bool open = false);
 /// Measures the mesh of a finished run.
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// Returns a warning if elements of a mesh are flat; else nothing.

@@ -39,7 +39,7 @@ std::string lesson(const std::string &members, const std::string &document = "sq
            document + "\"" + members + "}]}";
 }
 
-std::string question(const std::string &members) {
+std::string lessonAsking(const std::string &members) {
     return ",\n\"question\": {\"text\": \"q\",\n" + members + "}";
 }
 
@@ -66,20 +66,20 @@ std::string codesOf(const std::string &text) {
 TEST_CASE("Lesson check: a lesson whose questions have answers is free of faults") {
     using namespace checked_lessons;
     CHECK(codesOf(lesson("")) == "");
-    CHECK(codesOf(lesson(", \"position\": 3" + question("\"number\": \"front\""))) == "");
+    CHECK(codesOf(lesson(", \"position\": 3" + lessonAsking("\"number\": \"front\""))) == "");
     CHECK(codesOf(lesson(
               ", \"position\": \"end\"" +
-              question(R"("choices": [{"text": "a", "right": {"value": "finished", "is": 1}}, {"text": "b"}])"))) ==
+              lessonAsking(R"("choices": [{"text": "a", "right": {"value": "finished", "is": 1}}, {"text": "b"}])"))) ==
           "");
-    CHECK(codesOf(lesson(question(R"("until": {"value": "finished", "is": 1}, "show": "end")"))) == "");
-    CHECK(codesOf(lesson(question(R"("until": {"value": "elements", "is": 5})"))) == "");
-    CHECK(codesOf(lesson(", \"position\": 1" + question(R"("until": {"value": "chosen", "is": "winner"})"))) == "");
-    CHECK(codesOf(lesson(question(R"("until": {"value": "improve-step", "is": 2})"))) == "");
+    CHECK(codesOf(lesson(lessonAsking(R"("until": {"value": "finished", "is": 1}, "show": "end")"))) == "");
+    CHECK(codesOf(lesson(lessonAsking(R"("until": {"value": "elements", "is": 5})"))) == "");
+    CHECK(codesOf(lesson(", \"position\": 1" + lessonAsking(R"("until": {"value": "chosen", "is": "winner"})"))) == "");
+    CHECK(codesOf(lesson(lessonAsking(R"("until": {"value": "improve-step", "is": 2})"))) == "");
 }
 
 TEST_CASE("Lesson check: what only a run can tell is reported with its page and line") {
     using namespace checked_lessons;
-    const Diagnostics faults = faultsOf(lesson(question(R"("until": {"value": "elements", "is": 5000})")));
+    const Diagnostics faults = faultsOf(lesson(lessonAsking(R"("until": {"value": "elements", "is": 5000})")));
     REQUIRE(faults.size() == 1);
     CHECK(faults.front().code == "no-answer");
     CHECK(faults.front().line == 4);
@@ -87,14 +87,14 @@ TEST_CASE("Lesson check: what only a run can tell is reported with its page and 
     CHECK(codesOf(lesson("", "crossing")) == "not-meshed");
     CHECK(codesOf(lesson(", \"position\": 5000")) == "lesson-position");
     CHECK(codesOf(lesson(R"(, "position": {"advance": 1, "events": 400})")) == "lesson-position");
-    CHECK(codesOf(lesson(question(R"("number": "score")"))) == "no-answer"); // before the first advance
-    CHECK(codesOf(lesson(question(
+    CHECK(codesOf(lesson(lessonAsking(R"("number": "score")"))) == "no-answer"); // before the first advance
+    CHECK(codesOf(lesson(lessonAsking(
               R"("choices": [{"text": "a", "right": {"value": "front", "is": 3}}, {"text": "b"}])"))) == "no-answer");
-    CHECK(codesOf(lesson(question(R"("choices": [{"text": "a", "right": true}, {"text": "b", "right": true}])"))) ==
+    CHECK(codesOf(lesson(lessonAsking(R"("choices": [{"text": "a", "right": true}, {"text": "b", "right": true}])"))) ==
           "all-right");
-    CHECK(codesOf(lesson(question(R"("until": {"value": "advance", "is": 0})"))) == "done-already");
-    CHECK(codesOf(lesson(question(R"("until": {"value": "elements", "is": 5}, "show": 4)"))) == "wrong-show");
-    CHECK(codesOf(lesson(question(R"("number": "front", "why": "{alpha}")"))) == "no-value");
+    CHECK(codesOf(lesson(lessonAsking(R"("until": {"value": "advance", "is": 0})"))) == "done-already");
+    CHECK(codesOf(lesson(lessonAsking(R"("until": {"value": "elements", "is": 5}, "show": 4)"))) == "wrong-show");
+    CHECK(codesOf(lesson(lessonAsking(R"("number": "front", "why": "{alpha}")"))) == "no-value");
 }
 
 TEST_CASE("Lesson check: stops when it is cancelled") {
@@ -130,7 +130,7 @@ TEST_CASE("Lesson page: has the values, the right answers and the moments of its
     LessonNames names;
     names.document = drawing;
     const std::string text = lesson(R"(, "position": 2)" +
-                                    question(R"("until": {"value": "elements", "is": 3}, "why": "{front} </script>")"));
+                                    lessonAsking(R"("until": {"value": "elements", "is": 3}, "why": "{front} </script>")"));
     const Result<Lesson> read = readLesson(sourceOf(text), names);
     REQUIRE(read.ok());
     StringSink sink;

@@ -49,7 +49,7 @@ TriMesh fan(std::vector<Vec2> nodes) {
 }
 
 /// Meshes a domain and checks the result against it.
-MeshingOutcome meshed(const MeshingJob &job) {
+MeshingOutcome meshedCurves(const MeshingJob &job) {
     auto outcome = meshDomain(job);
     REQUIRE_MESSAGE(outcome, samples::list(outcome ? Diagnostics{} : outcome.faults()));
     const Diagnostics faults = verifyAgainst(outcome->mesh, job.domain, job.spacing.placed.elements);
@@ -69,14 +69,14 @@ TEST_CASE("Meshing curves: one valid mesh for all grids and numbers of threads, 
             job.options.method = method;
             job.options.grid = GridKind::Uniform;
             job.options.threads = 1;
-            const std::uint64_t hash = meshHash(meshed(job).mesh);
+            const std::uint64_t hash = meshHash(meshedCurves(job).mesh);
             for (const GridKind grid : {GridKind::None, GridKind::Hierarchical}) {
                 job.options.grid = grid;
-                CHECK(meshHash(meshed(job).mesh) == hash);
+                CHECK(meshHash(meshedCurves(job).mesh) == hash);
             }
             for (const int threads : {2, 3, 8}) {
                 job.options.threads = threads;
-                CHECK(meshHash(meshed(job).mesh) == hash);
+                CHECK(meshHash(meshedCurves(job).mesh) == hash);
             }
         }
     }
@@ -95,7 +95,7 @@ TEST_CASE("Meshing curves: random domains of curves give valid meshes on their c
         if (seed % 11 != 0) { // the rest by the automatic spacing
             job.spacing.size = job.domain.bounds().diagonal() / 15.0;
         }
-        const MeshingOutcome outcome = meshed(job);
+        const MeshingOutcome outcome = meshedCurves(job);
         REQUIRE(outcome.mesh.edgeStretches.size() == outcome.mesh.edges.size());
         const double size = job.domain.bounds().diagonal();
         for (std::size_t e = 0; e < outcome.mesh.edges.size(); ++e) {
@@ -123,7 +123,7 @@ TEST_CASE("Meshing curves: a check follows each side of a needle between two cur
     job.spacing.maximum = 0.1;
     for (const double size : {2e-5, 3e-5, 4e-5, 5e-5, 7e-5}) { // either side may have the first node
         job.spacing.sources = {{SourceShape::Point, {0, 0}, {}, 0.0, size, 0.2, ""}};
-        CHECK(meshed(job).mesh.edges.size() > 80);
+        CHECK(meshedCurves(job).mesh.edges.size() > 80);
     }
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("Meshing curves: where curves touch, or nearly do, a cusp ends in few 
         for (const auto &[loops, cusp] : cases) {
             MeshingJob job;
             job.domain = curvedDomain(loops, 0.003, 1e-6);
-            const TriMesh mesh = takeTriMesh(meshed(job).mesh);
+            const TriMesh mesh = takeTriMesh(meshedCurves(job).mesh);
             CHECK(mesh.elements.size() < 4000);
             for (const Element &element : mesh.elements) {
                 const Vec2 a = mesh.nodes[index(element[0])], b = mesh.nodes[index(element[1])],
@@ -187,7 +187,7 @@ TEST_CASE("Meshing curves: a short chord where curves cross has elements of its 
         domain.segments.push_back({25 + i, 25 + (i + 1) % 4, 1});
     }
     job.spacing.segmentsPerTurn = 200;
-    const MeshingOutcome outcome = meshed(job);
+    const MeshingOutcome outcome = meshedCurves(job);
     const double chord = distance(domain.nodes[3], domain.nodes[4]);
     CHECK(chord < 0.002);
     CHECK_FALSE(outcome.boundary->straightened.empty());
@@ -206,7 +206,7 @@ TEST_CASE("Meshing curves: a check follows a circle of few elements whose first 
             {i, (i + 1) % 24, 1, SegmentRole::Boundary, CurveStretch{0, i / 24.0, (i + 1) / 24.0}});
     }
     job.spacing.placed.elements.assign(24, 6);
-    TriMesh mesh = takeTriMesh(meshed(job).mesh);
+    TriMesh mesh = takeTriMesh(meshedCurves(job).mesh);
     const auto first = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [](Vec2 p, Vec2 q) {
         return distance(p, {0.5, std::sqrt(0.75)}) < distance(q, {0.5, std::sqrt(0.75)});
     });
