@@ -52,7 +52,7 @@ struct MeshForm {
     std::optional<Extrusion> extrusion = {};
     bool keepTags = false;                     ///< see ExportOptions
     std::optional<std::string> elevation = {}; ///< a file or an expression
-    std::optional<LengthUnit> unit = {};       ///< of the coordinates; absent: that of the input
+    std::optional<LengthUnit> unit = {}; ///< of the coordinates; absent: for mesh that of the input, for convert none
 };
 
 /// Writes a mesh to standard output and to files, which get their names when the set is committed. Stops at the first
