@@ -292,7 +292,7 @@ int convertCommand(const CommandLine &line) {
     addOpenOption(app, arguments.form);
     addExtrudeOption(app, arguments.form);
     addTagsOption(app, arguments.form);
-    addUnitOption(app, arguments.form);
+    addUnitOption(app, arguments.form, "none, since no unit is read from mesh files");
     addElevationOption(app, arguments.form.elevation);
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
     app.add_flag(

@@ -52,8 +52,8 @@ struct MeshForm {
     std::optional<Extrusion> extrusion = {};
     bool keepTags = false;                     ///< see ExportOptions
     std::optional<std::string> elevation = {}; ///< a file or an expression
-    std::optional<LengthUnit> unit = {};       ///< of the coordinates; absent: that of the input
-    MapSystem system = {};                     ///< of the map that the mesh was made from
+    std::optional<LengthUnit> unit = {}; ///< of the coordinates; absent: for mesh that of the input, for convert none
+    MapSystem system = {};               ///< of the map that the mesh was made from
 };
 
 /// Writes a mesh to standard output and to files, which get their names when the set is committed. Stops at the first

@@ -34,12 +34,12 @@ bool namesUnit(const Output &output) {
 
 } // namespace
 
-void addUnitOption(CLI::App &app, MeshForm &form) {
+void addUnitOption(CLI::App &app, MeshForm &form, const std::string &fallback) {
     addWordOption<LengthUnit>(
         app, "--unit", form.unit,
         "unit of the coordinates, which the outputs name; the coordinates do not change. none, mm, cm, m, km, in or "
-        "ft; default: that of the input. Formats: " +
-            formatsWithUnits())
+        "ft; default: " +
+            fallback + ". Formats: " + formatsWithUnits())
         ->type_name("UNIT");
 }
 

@@ -9,8 +9,8 @@
 
 namespace forefront {
 
-/// Adds --unit.
-void addUnitOption(CLI::App &app, MeshForm &form);
+/// Adds --unit; `fallback` says in the help which unit is written without it.
+void addUnitOption(CLI::App &app, MeshForm &form, const std::string &fallback);
 
 /// Returns the error for --unit with outputs that have no place for it; empty if there is none.
 std::string checkUnit(const MeshForm &form, const std::vector<Output> &outputs);

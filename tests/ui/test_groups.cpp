@@ -72,3 +72,19 @@ TEST_CASE("Groups: a group is dragged as one, a box that holds one of its shapes
     driver.clickPlace({2, 6});
     CHECK(selected(driver) == Ids{1});
 }
+
+TEST_CASE("Groups: a drag with Ctrl moves the whole group, a click with Ctrl and Shift adds one shape") {
+    Draughtsman driver;
+    drawGroup(driver);
+    driver.hold(kControl, true);
+    driver.dragPlaces({2, 5}, {2, 6});
+    driver.hold(kControl, false);
+    CHECK(driver.document().shapes[0]->nodes[0].y > 4.5);
+    CHECK(driver.document().shapes[1]->nodes[0].y == doctest::Approx(driver.document().shapes[0]->nodes[0].y));
+    CHECK(selected(driver) == Ids{1, 2});
+    driver.context().selection.shapes = {3};
+    driver.hold(kControlShift, true);
+    driver.clickPlace({5, 6});
+    driver.hold(kControlShift, false);
+    CHECK(selected(driver) == Ids{2, 3});
+}

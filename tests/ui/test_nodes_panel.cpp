@@ -91,6 +91,30 @@ TEST_CASE("Nodes panel: a pasted table is one step; a line at fault is corrected
     CHECK(driver.document().shapes[0]->nodes[2] == Vec2{3.25, 3});
 }
 
+TEST_CASE("Nodes panel: a pasted table can be tried again, and another document clears it") {
+    Draughtsman driver;
+    tabulate(driver);
+    driver.context().selection.clear();
+    driver.settle();
+    driver.platform().setClipboard("1\t1\n3\t1\n4\t3\n1\t3\n");
+    driver.click("nodes/paste");
+    driver.settle();
+    REQUIRE(driver.has("nodes/fault")); // two columns are the nodes of one shape
+    driver.context().selection.shapes = {1};
+    driver.settle();
+    driver.click("nodes/again");
+    driver.settle();
+    CHECK_FALSE(driver.has("nodes/fault"));
+    CHECK(driver.document().shapes[0]->nodes[2] == Vec2{4, 3});
+    driver.platform().setClipboard("1\tone\n");
+    driver.click("nodes/paste");
+    driver.settle();
+    REQUIRE(driver.has("nodes/fault"));
+    driver.context().document.load(driver.document(), {});
+    driver.settle();
+    CHECK_FALSE(driver.has("nodes/fault"));
+}
+
 TEST_CASE("Nodes panel: a table of a large shape draws the rows in sight") {
     Draughtsman driver;
     Shape shape;

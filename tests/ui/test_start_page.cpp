@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -102,6 +104,37 @@ TEST_CASE("Start page: it fits into windows of any size and scale") {
         CHECK(page.y + page.height <= canvas.y + canvas.height);
         CHECK(driver.context().widgets.find("start/new")->visible);
     }
+}
+
+TEST_CASE(
+    "Last project: its absolute path is kept, other drawings leave it, and it is not kept while it is being opened") {
+    const testing::TemporaryFolder place;
+    const std::filesystem::path file = place / "plate.forefront", other = place / "plate.poly";
+    Shape shape;
+    shape.nodes = {{0, 0}, {3, 0}, {3, 2}};
+    REQUIRE(writeProject(file, *addShape({}, shape)).empty());
+    std::ofstream(other) << "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n";
+    EditorSetup setup = withStartPage(place.path);
+    setup.reopens = true;
+    const auto kept = [&] { return loadSettings(setup.settingsFolder / "settings.json").lastFile; };
+    {
+        Driver driver(setup);
+        REQUIRE(driver.editor().open(std::filesystem::relative(file)));
+        driver.settle();
+        CHECK(kept() == file.string());
+        driver.editor().open(other);
+        driver.settle();
+        CHECK(kept() == file.string());
+    }
+    std::string fault;
+    const auto platform = EglPlatform::create({640, 480}, 1.0, fault);
+    REQUIRE(platform);
+    {
+        Editor editor(*platform, setup);
+        CHECK(kept().empty()); // a project that ends the program here is not opened at the next start
+        CHECK(editor.context().document.path() == file);
+    }
+    CHECK(kept() == file.string());
 }
 
 TEST_CASE("Last drawing: it comes back at the next start without a file, unless that is turned off or it is gone") {

@@ -1,3 +1,4 @@
+#include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
@@ -48,6 +49,64 @@ TEST_CASE("Unit: a length typed in another unit is converted, also where both co
     driver.settle();
     driver.fill("spacing/size", "0.1 cm");
     CHECK(driver.document().spacing.size == 1.0);
+}
+
+TEST_CASE("Unit: both co-ordinates typed into one field may have units of their own") {
+    Draughtsman driver;
+    drawIn(driver, LengthUnit::Millimetre);
+    driver.context().selection.shapes.clear();
+    driver.showPanel("nodes");
+    driver.click("nodes/which/1");
+    driver.settle();
+    driver.fill("nodes/1/3/x", "2 in, 3 cm");
+    CHECK(corner(driver).x == doctest::Approx(50.8));
+    CHECK(corner(driver).y == doctest::Approx(30.0));
+}
+
+TEST_CASE("Unit: a mesh has the unit that it was made in, or the one chosen for the same numbers") {
+    Draughtsman driver;
+    drawIn(driver, LengthUnit::Centimetre);
+    const RunControl &run = driver.context().run;
+    driver.context().run.mesh();
+    driver.settle();
+    REQUIRE(run.now().complete);
+    openUnit(driver);
+    driver.click("dialog/unit/unit/1"); // millimetres
+    driver.settle();
+    driver.click("dialog/unit/ok");
+    driver.settle();
+    CHECK(driver.document().unit == LengthUnit::Millimetre);
+    CHECK(run.outOfDate());
+    CHECK(run.shownUnit() == LengthUnit::Centimetre);
+    driver.key('Z', kControl);
+    driver.settle();
+    openUnit(driver);
+    driver.click("dialog/unit/unit/5"); // inches
+    driver.settle();
+    driver.click("dialog/unit/way/1");
+    driver.click("dialog/unit/ok");
+    driver.settle();
+    CHECK(driver.document().unit == LengthUnit::Inch);
+    CHECK_FALSE(run.outOfDate());
+    CHECK(run.shownUnit() == LengthUnit::Inch);
+}
+
+TEST_CASE("Unit: scaled coordinates keep their formulas") {
+    Draughtsman driver;
+    drawIn(driver, LengthUnit::Centimetre);
+    const NumberAddress width{NumberOwner::ofShape(1), Quantity::Width, 0};
+    Document document = setFormula(driver.document(), width, "w");
+    document.parameters = {{"w", "4"}};
+    document.spacing.names = parameterValues(document.parameters);
+    driver.context().document.apply(document, "Formula");
+    REQUIRE(driver.document().formulas.contains(width));
+    openUnit(driver);
+    driver.click("dialog/unit/unit/1"); // millimetres
+    driver.settle();
+    driver.click("dialog/unit/ok");
+    driver.settle();
+    REQUIRE(driver.document().formulas.contains(width));
+    CHECK(driver.document().formulas.at(width) == "10*(w)");
 }
 
 TEST_CASE("Unit: a unit is refused where the drawing has none, and where the field holds no length") {

@@ -75,3 +75,19 @@ TEST_CASE("Groups: a project keeps them, and one without groups is written as be
     CHECK(shapesGroupedWith(*read, 2) == Ids{1, 2});
     CHECK(projectText(*ungroupShapes(*read, {1})).find("\"group\"") == std::string::npos);
 }
+
+TEST_CASE("Groups: a project with large numbers of groups can be changed and saved") {
+    std::string text = projectText(fiveSquares());
+    for (std::size_t at = text.find("\"group\": 1"); at != std::string::npos; at = text.find("\"group\": 1", at + 1)) {
+        text.replace(at, 10, "\"group\": 4294967294");
+    }
+    REQUIRE(text.find("4294967294") != std::string::npos);
+    const Result<Document> read = parseProject(text, "large.forefront");
+    REQUIRE(read.ok());
+    CHECK(shapesGroupedWith(*read, 1) == Ids{1, 2});
+    const Document grouped = *groupShapes(*groupShapes(*read, {3, 4}), {1, 5});
+    const Result<Document> again = parseProject(projectText(grouped), "again.forefront");
+    REQUIRE(again.ok());
+    CHECK(shapesGroupedWith(*again, 1) == Ids{1, 2, 5});
+    CHECK(shapesGroupedWith(*again, 3) == Ids{3, 4});
+}

@@ -1,5 +1,7 @@
 #include "core/drawing/commands/insert_document.hpp"
 #include "core/drawing/commands/scale_document.hpp"
+#include "core/drawing/document/number_address.hpp"
+#include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/base/length_unit.hpp"
@@ -146,6 +148,33 @@ TEST_CASE("Unit: an empty drawing takes that of an inserted one, and pasted shap
     REQUIRE(pasted.ok());
     CHECK(pasted->unit == LengthUnit::Millimetre);
     CHECK(boundsOf(*pasted).size().x == doctest::Approx(2 * 25.4));
+}
+
+TEST_CASE(
+    "Unit: what is pasted or inserted with another unit keeps its formulas, and its boundary layers their height") {
+    Document inches = *addShapes({}, {makeShape(ShapeKind::Circle, {{0, 0}, {0.5, 0}})});
+    inches.unit = LengthUnit::Inch;
+    inches.formulas[*parseAddress("shape/1/radius")] = "r";
+    inches = *setParameters(inches, {{"r", "0.5"}});
+    LayerSpec layer;
+    layer.tag = inches.shapes[0]->tag;
+    layer.first = 0.01;
+    layer.thickness = 0.1;
+    inches.layers = {layer};
+    Document millimetres;
+    millimetres.unit = LengthUnit::Millimetre;
+    const Result<Document> pasted = insertCopied(millimetres, inches, {1, -1}, nullptr);
+    REQUIRE(pasted.ok());
+    REQUIRE(pasted->shapes.size() == 1);
+    const NumberAddress radius{NumberOwner::ofShape(pasted->shapes[0]->id), Quantity::Radius, 0};
+    REQUIRE(pasted->formulas.contains(radius));
+    CHECK(pasted->formulas.at(radius) == "25.4*(r)");
+    const Document inserted = insertDrawing(millimetres, inches, 25.4, nullptr);
+    for (const Document &next : {*pasted, inserted}) {
+        REQUIRE(next.layers.size() == 1);
+        CHECK(next.layers[0].first == doctest::Approx(0.254));
+        CHECK(*next.layers[0].thickness == doctest::Approx(2.54));
+    }
 }
 
 TEST_CASE("scaleDocument: the heights of boundary layers are scaled") {

@@ -129,8 +129,8 @@ TEST_CASE("Lesson page: has the values, the right answers and the moments of its
     using namespace checked_lessons;
     LessonNames names;
     names.document = drawing;
-    const std::string text = lesson(R"(, "position": 2)" +
-                                    lessonAsking(R"("until": {"value": "elements", "is": 3}, "why": "{front} </script>")"));
+    const std::string text = lesson(
+        R"(, "position": 2)" + lessonAsking(R"("until": {"value": "elements", "is": 3}, "why": "{front} </script>")"));
     const Result<Lesson> read = readLesson(sourceOf(text), names);
     REQUIRE(read.ok());
     StringSink sink;

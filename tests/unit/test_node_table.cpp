@@ -116,6 +116,39 @@ TEST_CASE("Table of nodes: a line that cannot be used is named, and then none is
           "it alone\n");
 }
 
+TEST_CASE("Table of nodes: the order of the rows does not matter, and none is left unused") {
+    const Document document = tabulated();
+    for (const std::string_view text : {"2\t1\t7.5\t7\n2\t2\t8\t7\n", "2\t2\t8\t7\n2\t1\t7.5\t7\n"}) {
+        const NodeTableResult circle = placed(document, text, {});
+        CHECK(nodesOf(circle, 1) == std::vector<Vec2>{{7.5, 7}, {8, 7}});
+        CHECK(circle.moved == 1);
+    }
+    const NodeTableResult corner = placed(document, "3\t1\t9\t0\n3\t2\t12\t0\n3\t3\t12\t1\n3\t4\t10\t1\n", {});
+    CHECK_FALSE(corner.next.has_value());
+    REQUIRE(corner.faults.size() == 1);
+    CHECK(corner.faults[0].line == 0);
+    CHECK(nodesOf(placed(document, "3\t4\t9\t1\n3\t3\t12\t1\n3\t2\t12\t0\n3\t1\t9\t0\n", {}), 2) ==
+          std::vector<Vec2>{{9, 0}, {12, 1}});
+}
+
+TEST_CASE("Table of nodes: numbers with wrong groups of thousands or two signs are refused, ambiguous commas too") {
+    const Document document = tabulated();
+    for (const std::string_view number :
+         {"1.2.2024,5", "1,.5", "+-5", "1,2,3", "12,34.5", ",123.5", "1.2345,5", "--1", "1.234.,5"}) {
+        CAPTURE(number);
+        const NodeTableResult result = placed(document, std::string(number) + "\t0\n4\t0\n0\t1\n");
+        REQUIRE(result.faults.size() == 1);
+        CHECK(result.faults[0].line == 0);
+    }
+    CHECK(nodesOf(placed(document, "-1.234.567,5\t0\n+4,\t,5\n-0\t1e1\n")) ==
+          std::vector<Vec2>{{-1234567.5, 0}, {4, 0.5}, {0, 10}});
+    CHECK(nodesOf(placed(document, "1,234.5\t0\n4\t0\n0\t1\n"))[0].x == 1234.5);
+    CHECK(nodesOf(placed(document, "1,234\t0,5\n4\t0\n0\t1\n"))[0].x == 1.234);
+    CHECK(placed(document, "1,234\t0\n4\t0\n0\t1,500\n").fault ==
+          "'1,234' in line 1 may be 1.234 or 1234; write decimal points, or another number of decimals, and no "
+          "thousands separators");
+}
+
 TEST_CASE("Table of nodes: tables that have no meaning are refused as a whole") {
     const Document document = tabulated();
     const auto faultOf = [&](std::string_view text, const std::set<std::uint32_t> &shapes = {1}) {

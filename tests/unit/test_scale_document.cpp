@@ -67,7 +67,34 @@ TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; g
     CHECK_FALSE(scaleDocument(document, {}, 0.0).ok());
 }
 
-TEST_CASE("scaleDocument: removes the formulas that no longer fit") {
+TEST_CASE("scaleDocument: formulas of lengths, areas and places are scaled") {
+    Shape circle;
+    circle.form = CircleForm{};
+    circle.nodes = {{10, 10}, {14, 10}};
+    Document document = *addShape({}, circle);
+    document = *addRegionMarker(document, {{10, 10}, 1, 4.0});
+    document.spacing.gradation = 0.4;
+    document.formulas = {{"shape/1/radius"_number, "r"},
+                         {"shape/1/x/0"_number, "2*r + 2"},
+                         {"region/0/area"_number, "r"},
+                         {"spacing/gradation"_number, "r/10"}};
+    document = *setParameters(document, {{"r", "4"}});
+    const Result<Document> scaled = scaleDocument(document, {10, 6}, 0.5);
+    REQUIRE(scaled.ok());
+    CHECK(scaled->formulas == std::map<NumberAddress, std::string>{{"shape/1/radius"_number, "0.5*(r)"},
+                                                                   {"shape/1/x/0"_number, "5 + 0.5*(2*r + 2)"},
+                                                                   {"region/0/area"_number, "0.25*(r)"},
+                                                                   {"spacing/gradation"_number, "r/10"}});
+    CHECK(lostFormulas(document, *scaled).empty());
+    const Result<Document> wider = overrideParameters(*scaled, {{"r", "5"}});
+    REQUIRE(wider.ok());
+    CHECK(wider->shapes[0]->nodes == std::vector<Vec2>{{11, 8}, {13.5, 8}});
+    const Result<Document> back = scaleDocument(*scaled, {10, 6}, 2.0);
+    REQUIRE(back.ok());
+    CHECK(back->formulas.at("shape/1/radius"_number) == "r");
+}
+
+TEST_CASE("lostFormulas: numbers that have become plain have names") {
     Shape circle;
     circle.form = CircleForm{};
     circle.nodes = {{10, 10}, {14, 10}};
@@ -76,15 +103,13 @@ TEST_CASE("scaleDocument: removes the formulas that no longer fit") {
     document.formulas = {
         {"shape/1/radius"_number, "r"}, {"shape/1/x/0"_number, "2*r + 2"}, {"region/0/area"_number, "r"}};
     document = *setParameters(document, {{"r", "4"}});
-    const Result<Document> scaled = scaleDocument(document, {10, 10}, 0.5);
-    REQUIRE(scaled.ok());
-    CHECK(scaled->formulas ==
-          std::map<NumberAddress, std::string>{{"shape/1/x/0"_number, "2*r + 2"}}); // the fixed point
-    const std::vector<NumberAddress> lost = lostFormulas(document, *scaled);
+    Document plain = document;
+    plain.formulas = {{"shape/1/x/0"_number, "2*r + 2"}};
+    const std::vector<NumberAddress> lost = lostFormulas(document, plain);
     REQUIRE(lost == std::vector{"region/0/area"_number, "shape/1/radius"_number});
     CHECK(numberName(document, lost[0]) == "maximum area of region marker 1");
     CHECK(numberName(document, lost[1]) == "radius of circle 1");
-    Document others = *scaled; // as many as before
+    Document others = plain; // as many as before
     others.spacing.size = 4.0;
     others.formulas["spacing/size"_number] = "r";
     others.formulas["shape/1/y/0"_number] = "r + 6";

@@ -12,6 +12,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 namespace forefront {
@@ -69,6 +70,15 @@ std::shared_ptr<const MeshSnapshot> finishedMesh(const Shell &context) {
     return finished ? run.mesh : nullptr;
 }
 
+/// Says that the mesh is out of date, and its unit if that of the drawing is another one.
+std::string changeText(const Shell &context) {
+    const LengthUnit unit = context.run.shownUnit();
+    const std::string text = "the drawing has changed since it was meshed";
+    return unit == context.document.current()->unit ? text
+           : unit == LengthUnit::None               ? text + "; the mesh has no unit"
+                                                    : text + "; the mesh is in " + std::string(wordOf(unit));
+}
+
 /// Draws the counts of the mesh, or offers to make one. Returns false if there is nothing to export. Starts meshing
 /// automatically, once, if there is no finished mesh and no command is pending (a step may still be running when the
 /// dialog opens).
@@ -98,7 +108,7 @@ bool drawMeshLine(Shell &context, bool &asked) {
     if (context.run.outOfDate()) {
         ImGui::SameLine(0, context.px(16));
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
-        ImGui::TextUnformatted("the drawing has changed since it was meshed");
+        ImGui::TextUnformatted(changeText(context).c_str());
         ImGui::PopStyleColor();
         ImGui::SameLine();
         if (ui::button(context, "dialog/export/mesh", "Mesh now")) {
@@ -172,7 +182,7 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
         return error("no-mesh", "no finished mesh to export", "mesh the drawing first");
     }
     ExportOptions options;
-    options.unit = context.document.current()->unit;
+    options.unit = context.run.shownUnit();
     const auto job = [mesh, file, innerEdges, options, format = filter.id](const Progress &progress) {
         const Mesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->view()) : Mesh();
         const MeshView kept = innerEdges == InnerEdges::Drop ? MeshView(outline) : mesh->view();

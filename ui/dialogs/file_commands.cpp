@@ -274,6 +274,9 @@ void rememberFile(Shell &context, const std::filesystem::path &file) {
                     [&](const Sample &s) { return std::filesystem::equivalent(s.path, name, ignored); })) {
         return;
     }
+    if (context.document.path() == file) { // a project, which the next start opens again
+        context.settings.lastFile = name;
+    }
     std::vector<std::string> &recent = context.settings.recentFiles;
     std::erase(recent, name);
     recent.insert(recent.begin(), name);

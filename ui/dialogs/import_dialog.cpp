@@ -358,7 +358,8 @@ void ImportDialog::drawMap(Shell &context) {
 void ImportDialog::drawJoining(Shell &context) {
     ui::rowLabel(context, "Weld tolerance", kLabels);
     std::optional<double> tolerance = options_.weldTolerance;
-    if (ui::inputOptional(context, "dialog/importoptions/weld", tolerance, arranges_ ? "auto" : "0", 100.0F) &&
+    if (ui::inputOptional(context, "dialog/importoptions/weld", tolerance, arranges_ ? "auto" : "0", 100.0F, {},
+                          drawing_.unit) &&
         ui::checkPositive(context, "dialog/importoptions/weld", tolerance.value_or(0.0), true)) {
         options_.weldTolerance = tolerance;
         read();

@@ -116,7 +116,8 @@ void PictureSpacingDialog::drawPicture(Shell &context) const {
 void PictureSpacingDialog::drawSize(Shell &context, const char *name, double &size) {
     const std::string widget = std::string("dialog/picturespacing/") + name;
     double typed = size;
-    if (ui::inputNumber(context, widget, typed, kFieldWidth) && ui::checkPositive(context, widget, typed)) {
+    if (ui::inputNumber(context, widget, typed, kFieldWidth, {}, context.document.current()->unit) &&
+        ui::checkPositive(context, widget, typed)) {
         size = typed;
     }
 }
@@ -168,7 +169,8 @@ void PictureSpacingDialog::drawPlace(Shell &context) {
     ui::rowLabel(context, "Width", kLabelColumn);
     double width = size.x;
     const char *const name = "dialog/picturespacing/width";
-    if (ui::inputNumber(context, name, width, kFieldWidth) && ui::checkPositive(context, name, width)) {
+    if (ui::inputNumber(context, name, width, kFieldWidth, {}, context.document.current()->unit) &&
+        ui::checkPositive(context, name, width)) {
         sizes_.box.max = corner + (width / size.x) * size;
     }
     ImGui::SameLine();

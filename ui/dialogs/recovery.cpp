@@ -133,8 +133,13 @@ void Recovery::follow(Shell &context) {
         path_ = path;
         if (dirty || path) {
             const std::shared_ptr<const Document> document = context.document.current();
-            journal_.record(path ? withPath(document, *std::move(path)) : document,
-                            {context.document.path(), context.document.title(), context.document.stamp().hash});
+            const RecoveryJournal::Place place{context.document.path(), context.document.title(),
+                                               context.document.stamp().hash};
+            if (path) { // pulled in every frame, but rarely written
+                journal_.record([document, drawn = *std::move(path)] { return withPath(document, drawn); }, place);
+            } else {
+                journal_.record(document, place);
+            }
         } else {
             journal_.recordSaved();
         }

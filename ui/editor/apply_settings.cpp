@@ -23,7 +23,6 @@ Settings settingsToSave(const Shell &context) {
         changedLayers(settings.workspace, lesson ? lesson->layersBefore : chosenLayers(context));
     settings.panels = lesson ? lesson->panelsBefore : context.view.panels;
     settings.snapping = context.snapping;
-    settings.lastFile = context.run.showsFile() ? settings.lastFile : context.document.path().string();
     return settings;
 }
 

@@ -80,7 +80,7 @@ bool Editor::Parts::keySharesFrame(const InputEvent &event) const {
 
 namespace {
 
-/// Returns true if the drawing that was open last is to be opened again, and is still there.
+/// Returns true if the last project is to be opened again, and is still there.
 bool reopensLast(const Settings &settings) {
     std::error_code ignored;
     return settings.reopens && !settings.lastFile.empty() &&
@@ -115,7 +115,10 @@ Editor::Editor(Platform &platform, EditorSetup options)
     } else if (!parts_->options.file.empty()) {
         openDocument(c, parts_->options.file);
     } else if (parts_->options.reopens && reopensLast(c.settings)) {
-        openDocument(c, c.settings.lastFile);
+        const std::string last = std::exchange(c.settings.lastFile, {});
+        parts_->reopening = true;
+        parts_->rememberSettings();
+        openDocument(c, last);
     } else if (parts_->options.sample) {
         openFirstSample(c);
     }
@@ -132,6 +135,7 @@ Editor::~Editor() {
         parts_->context.settings.window = place;
     }
     rememberView(parts_->context);
+    parts_->reopening = false;
     parts_->rememberSettings();
 }
 
@@ -264,6 +268,7 @@ void Editor::frame() {
     c.platform.present();
     p.recordFrame(begin, cancelling, busy);
     p.showTitle();
+    p.reopening = p.reopening && !settled();
     if (!ImGui::IsAnyItemActive()) {
         p.rememberSettings();
     }

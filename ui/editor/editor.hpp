@@ -19,7 +19,7 @@ struct EditorSetup {
     bool judge = false;                   ///< open `file` as a mesh to inspect, not as a drawing
     bool sample = true;                   ///< open the first sample if no file is given
     bool startPage = false;               ///< otherwise, show the page with ways to begin
-    bool reopens = false;                 ///< if no file is given, open that of Settings::lastFile as the settings say
+    bool reopens = false;                 ///< if no file is given, open Settings::lastFile as the settings say
     std::filesystem::path stateFile;      ///< file that receives the state of each frame, for tests of the real window
 };
 

@@ -34,6 +34,7 @@ struct Editor::Parts {
     ScriptRecording recording;
     std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
     Settings savedSettings;
+    bool reopening = false; ///< the last project is being opened and shown; not yet in the saved settings
     std::string shownTitle;
     double lastFrame = 0.0;
     std::uint64_t frames = 0;

@@ -231,7 +231,11 @@ void Editor::Parts::rememberSettings() {
     if (options.settingsFolder.empty()) {
         return;
     }
-    if (Settings settings = settingsToSave(context); savedSettings != settings) {
+    Settings settings = settingsToSave(context);
+    if (reopening) { // a project that ends the program must not do so at every start
+        settings.lastFile.clear();
+    }
+    if (savedSettings != settings) {
         saveSettings(options.settingsFolder / "settings.json", settings);
         savedSettings = std::move(settings);
     }

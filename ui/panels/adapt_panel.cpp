@@ -76,7 +76,8 @@ class AdaptPanel final : public Panel {
 
     static void drawSize(Shell &context, const char *name, std::optional<double> &size, const char *hint) {
         std::optional<double> entered = size;
-        if (ui::inputOptional(context, name, entered, hint, form::halfWidth(context)) &&
+        if (ui::inputOptional(context, name, entered, hint, form::halfWidth(context), {},
+                              context.document.current()->unit) &&
             ui::checkPositive(context, name, entered.value_or(0.0), true)) {
             size = entered;
         }

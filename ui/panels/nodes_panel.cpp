@@ -50,6 +50,10 @@ class NodesPanel final : public Panel {
         if (ui::segmented(context, "nodes/which", std::span<const char *const>(kChoices), choice)) {
             all_ = choice == 1;
         }
+        if (loads_ != context.document.loads()) {
+            loads_ = context.document.loads();
+            pasted_.clear(); // it was meant for another document
+        }
         read(context);
         drawButtons(context);
         if (!pasted_.empty()) {
@@ -143,6 +147,11 @@ class NodesPanel final : public Panel {
         if (shown < faults_.size()) {
             ui::small(context, "and " + countText(faults_.size() - shown, "more line"), true);
         }
+        if (ui::button(context, "nodes/again", "Try again")) {
+            takePasted(context);
+        }
+        ui::tooltip(context, "Place the nodes of the pasted table, now that the drawing or the selection is another");
+        ImGui::SameLine();
         if (ui::button(context, "nodes/discard", "Discard pasted table")) {
             pasted_.clear();
         }
@@ -284,6 +293,7 @@ class NodesPanel final : public Panel {
     bool readAll_ = false;
     std::size_t edited_ = 0; ///< line whose field was last edited
 
+    std::uint64_t loads_ = 0;         ///< DocumentStore::loads() when the panel was last drawn
     std::vector<std::string> pasted_; ///< lines of a table that is at fault; empty: none is
     std::vector<TableFault> faults_;
     std::string fault_;

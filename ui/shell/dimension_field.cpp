@@ -1,4 +1,5 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "ui/shell/main_window.hpp"
@@ -7,6 +8,7 @@
 #include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/typed_length.hpp"
 
 #include <imgui.h>
 
@@ -34,11 +36,13 @@ void finishDimension(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     const std::uint32_t id = *entry.constraint;
     const NumberAddress address{NumberOwner::ofConstraint(id), Quantity::Value};
-    const std::string typed(trimmed(entry.text));
+    const LengthUnit unit = lengthPower(*document, address) == 1 ? document->unit : LengthUnit::None;
+    const std::string typed = inUnit(std::string(trimmed(entry.text)), unit);
     const std::optional<double> number = parseNumber(typed);
     const Result<double> value = number ? Result<double>(*number) : evaluateFormula(*document, typed);
     if (!value) {
-        refuseDimension(context, value.faults());
+        const std::string reason = unitFault(*document, typed);
+        refuseDimension(context, reason.empty() ? value.faults() : error("bad-number", reason));
         return;
     }
     Result<Document> next = setDimension(*document, id, *value);

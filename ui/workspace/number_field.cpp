@@ -1,5 +1,6 @@
 #include "ui/workspace/number_field.hpp"
 
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "ui/widgets/parse_number.hpp"
@@ -151,7 +152,7 @@ void drawUnit(const Workspace &context, std::string_view name, const std::string
 /// Returns the unit of the number at an address; none if it is not a length.
 LengthUnit unitAt(const Workspace &context, const FieldAddress &address) {
     const Document &document = *context.document.current();
-    return address && isLength(document, *address) ? document.unit : LengthUnit::None;
+    return address && lengthPower(document, *address) == 1 ? document.unit : LengthUnit::None;
 }
 
 /// Draws the field. Returns the new text when one was committed.
@@ -236,23 +237,24 @@ bool looksLikeDecimalComma(std::string_view text, std::size_t comma) {
 
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const FieldAddress &addressX,
                 const FieldAddress &addressY, Digits digits) {
-    std::optional<std::string> x =
-        drawEntry(context, name + "/x", value.x, "", width, addressX, unitAt(context, addressX), digits);
+    const LengthUnit unit = context.document.current()->unit;
+    std::optional<std::string> x = drawEntry(context, name + "/x", value.x, "", width, addressX, unit, digits);
     ImGui::SameLine(0, context.px(6));
-    std::optional<std::string> y =
-        drawEntry(context, name + "/y", value.y, "", width, addressY, unitAt(context, addressY), digits);
+    std::optional<std::string> y = drawEntry(context, name + "/y", value.y, "", width, addressY, unit, digits);
     const std::string both = x ? *x : y.value_or("");
     if (const std::size_t comma = separatingComma(both); comma != std::string::npos) {
         const std::string field = name + (x ? "/x" : "/y");
         Vec2 pair = value;
-        const std::string left(trimmed(std::string_view(both).substr(0, comma)));
-        const std::string right(trimmed(std::string_view(both).substr(comma + 1)));
+        std::string left(trimmed(std::string_view(both).substr(0, comma)));
+        std::string right(trimmed(std::string_view(both).substr(comma + 1)));
         if (looksLikeDecimalComma(both, comma)) {
             const std::string reason = "write " + left + "." + right + " for one number, or " + left + ", " + right +
                                        " with a blank for both co-ordinates";
             refuseEntry(context, field, error("bad-number", reason), reason);
             return false;
         }
+        left = inUnit(left, unit);
+        right = inUnit(right, unit);
         const bool valid = typedNumber(context, field, left) && typedNumber(context, field, right);
         const bool changedX = valid && take(context, field, left, pair.x, addressX);
         const bool changedY = valid && take(context, field, right, pair.y, addressY);

@@ -1,6 +1,5 @@
 #include "ui/workspace/typed_length.hpp"
 
-#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "ui/widgets/parse_number.hpp"
 
@@ -49,27 +48,6 @@ std::string unitFault(const Document &document, std::string_view text) {
         return "the drawing has no unit; enter " + typed->number + " alone, or choose Edit > Unit";
     }
     return "this field takes no unit; enter " + typed->number + " alone";
-}
-
-bool isLength(const Document &document, const NumberAddress &address) {
-    switch (address.quantity) {
-    case Quantity::Angle:
-    case Quantity::Area:
-    case Quantity::Elements:
-    case Quantity::ElementsAcross:
-    case Quantity::Gradation:
-    case Quantity::Growth:
-    case Quantity::SegmentElements:
-    case Quantity::SegmentGrowth:
-    case Quantity::SegmentsPerTurn:
-        return false;
-    case Quantity::Value: {
-        const SketchConstraint *const constraint = findConstraint(document, address.owner.id);
-        return constraint != nullptr && constraint->kind != ConstraintKind::Angle;
-    }
-    default:
-        return true;
-    }
 }
 
 } // namespace forefront

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
-#include "core/drawing/document/number_address.hpp"
 #include "core/engine/base/length_unit.hpp"
 
 #include <optional>
@@ -26,8 +25,5 @@ std::string inUnit(const std::string &text, LengthUnit unit);
 
 /// Returns why a text with a unit that inUnit() has not converted is no number; empty for one without a unit.
 std::string unitFault(const Document &document, std::string_view text);
-
-/// Returns true if the number at an address is a length, in the unit of the document.
-bool isLength(const Document &document, const NumberAddress &address);
 
 } // namespace forefront

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -115,12 +116,15 @@ Document inserted(const Document &document, const Document &other, double scale,
             next.elementCounts.emplace(tag, elements);
         }
     }
-    std::copy_if(other.layers.begin(), other.layers.end(), std::back_inserter(next.layers),
-                 [&](const LayerSpec &layer) {
-                     return !std::binary_search(known.begin(), known.end(), layer.tag) &&
-                            std::none_of(document.layers.begin(), document.layers.end(),
-                                         [&](const LayerSpec &own) { return own.tag == layer.tag; });
-                 });
+    for (LayerSpec layer : other.layers) {
+        const bool taken = std::any_of(document.layers.begin(), document.layers.end(),
+                                       [&](const LayerSpec &own) { return own.tag == layer.tag; });
+        if (!taken && !std::binary_search(known.begin(), known.end(), layer.tag)) {
+            layer.first *= scale;
+            layer.thickness = layer.thickness ? std::optional(scale * *layer.thickness) : std::nullopt;
+            next.layers.push_back(layer);
+        }
+    }
     const auto isNew = [&](std::int32_t tag) {
         return !std::binary_search(known.begin(), known.end(), tag) &&
                std::none_of(document.periodic.begin(), document.periodic.end(),

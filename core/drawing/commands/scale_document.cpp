@@ -1,12 +1,16 @@
 #include "core/drawing/commands/scale_document.hpp"
 
 #include "core/drawing/commands/transform.hpp"
+#include "core/drawing/formulas/bring_formulas.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/place_formulas.hpp"
 #include "core/engine/base/number_text.hpp"
 
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace forefront {
@@ -73,6 +77,24 @@ Selection everythingIn(const Document &document) {
     return all;
 }
 
+/// Returns the place on the axis of a coordinate that scaling does not move; 0 for other numbers.
+double fixedPlace(Quantity what, Vec2 fixed) {
+    const bool across = what == Quantity::X || what == Quantity::X2 || what == Quantity::Left;
+    const bool upwards = what == Quantity::Y || what == Quantity::Y2 || what == Quantity::Bottom;
+    return across ? fixed.x : upwards ? fixed.y : 0.0;
+}
+
+/// Scales the formulas of a document with its numbers.
+void scaleFormulas(Document &next, const Document &before, Vec2 fixed, double factor) {
+    next.formulas.clear();
+    for (const auto &[address, text] : before.formulas) {
+        const double rest = (1.0 - factor) * fixedPlace(address.quantity, fixed);
+        const std::string scaled = timesLength(text, factor, lengthPower(before, address));
+        next.formulas[address] = rest == 0.0 ? scaled : sumFormula(exactText(rest), scaled);
+    }
+    pruneFormulas(next);
+}
+
 } // namespace
 
 Result<Document> scaleDocument(const Document &document, Vec2 fixed, double factor) {
@@ -114,7 +136,7 @@ Result<Document> scaleDocument(const Document &document, Vec2 fixed, double fact
     if (next.picture) {
         next.picture = scaledAbout(*next.picture, fixed, factor);
     }
-    pruneFormulas(next);
+    scaleFormulas(next, document, fixed, factor);
     return next;
 }
 

@@ -1,10 +1,10 @@
 #include "core/drawing/formulas/bring_formulas.hpp"
 
-#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/spacing/parts/expression/expression_parser.hpp"
+#include "core/engine/spacing/scaled_sizes.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -66,23 +66,11 @@ std::optional<NumberAddress> newAddress(const NumberAddress &old, const Received
     return NumberAddress{{kind, places->at(id)}, old.quantity, old.handle};
 }
 
-/// Returns the factor of a number when the drawing is scaled.
-double factorOf(const Document &document, const NumberAddress &address, double scale) {
-    if (address.owner.kind == NumberOwner::Kind::Constraint) {
-        const SketchConstraint *const dimension = findConstraint(document, address.owner.id);
-        return dimension != nullptr && dimension->kind == ConstraintKind::Angle ? 1.0 : scale;
-    }
-    const Quantity what = address.quantity;
-    const bool unitless = what == Quantity::Growth || what == Quantity::Angle || what == Quantity::SegmentGrowth ||
-                          what == Quantity::SegmentElements;
-    return what == Quantity::Area ? scale * scale : unitless ? 1.0 : scale;
-}
-
-std::string timesFactor(const std::string &text, double factor) {
-    return factor == 1.0 ? text : exactText(factor) + "*(" + text + ')';
-}
-
 } // namespace
+
+std::string timesLength(const std::string &formula, double scale, int power) {
+    return scale == 1.0 || power == 0 ? formula : scaledExpression(formula, power == 2 ? scale * scale : scale);
+}
 
 std::string renameIn(const std::string &text, const NameChanges &names) {
     std::string result;
@@ -136,7 +124,7 @@ std::size_t bringFormulas(Document &document, const Document &from, const Receiv
     std::set<std::string> wanted;
     for (const auto &[old, text] : from.formulas) {
         const std::optional<NumberAddress> address = newAddress(old, items);
-        const std::string scaled = timesFactor(text, factorOf(from, old, scale));
+        const std::string scaled = timesLength(text, scale, lengthPower(from, old));
         const Result<double> value = evaluateFormula(from, scaled);
         if (address && value && hasValue(document, *address, *value)) {
             brought[*address] = scaled;

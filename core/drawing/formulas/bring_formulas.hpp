@@ -16,6 +16,9 @@ namespace forefront {
 /// Old names of parameters and their new ones.
 using NameChanges = std::map<std::string, std::string, std::less<>>;
 
+/// Returns the formula of a number in a drawing that is scaled by a factor; `power`: see lengthPower().
+std::string timesLength(const std::string &formula, double scale, int power);
+
 /// Returns an expression with names replaced, all at once.
 std::string renameIn(const std::string &text, const NameChanges &names);
 

@@ -286,6 +286,47 @@ Result<Document> checkedOwner(const Document &document, const NumberAddress &add
     return faults.empty() ? Result<Document>(document) : faults;
 }
 
+int lengthPower(const Document &document, const NumberAddress &address) {
+    switch (address.quantity) {
+    case Quantity::Angle:
+    case Quantity::Elements:
+    case Quantity::ElementsAcross:
+    case Quantity::Gradation:
+    case Quantity::Growth:
+    case Quantity::SegmentElements:
+    case Quantity::SegmentGrowth:
+    case Quantity::SegmentsPerTurn:
+        return 0;
+    case Quantity::Area:
+        return 2;
+    case Quantity::Value: {
+        const SketchConstraint *const dimension = findConstraint(document, address.owner.id);
+        return dimension != nullptr && dimension->kind != ConstraintKind::Angle ? 1 : 0;
+    }
+    case Quantity::ArcRadius:
+    case Quantity::Bottom:
+    case Quantity::CurveTolerance:
+    case Quantity::EndSize:
+    case Quantity::Height:
+    case Quantity::Left:
+    case Quantity::Length:
+    case Quantity::Maximum:
+    case Quantity::Minimum:
+    case Quantity::Radius:
+    case Quantity::Rx:
+    case Quantity::Ry:
+    case Quantity::SegmentSize:
+    case Quantity::Size:
+    case Quantity::Width:
+    case Quantity::X:
+    case Quantity::X2:
+    case Quantity::Y:
+    case Quantity::Y2:
+        return 1;
+    }
+    return 0;
+}
+
 std::string numberName(const Document &document, const NumberAddress &address) {
     if (!readNumber(document, address)) {
         return toString(address);

@@ -18,6 +18,10 @@ Status setNumber(Document &document, const NumberAddress &address, double value)
 /// owner.
 Result<Document> checkedOwner(const Document &document, const NumberAddress &address);
 
+/// Returns the power of the unit of length that a number has: 1 for a length or a coordinate, 2 for an area, 0 for
+/// others, such as an angle or a number of elements.
+int lengthPower(const Document &document, const NumberAddress &address);
+
 /// Describes a number in words, such as "radius of circle 3" or "x of node 2 of polygon 1"; the text of the address if
 /// there is no such number.
 std::string numberName(const Document &document, const NumberAddress &address);

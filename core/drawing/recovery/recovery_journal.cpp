@@ -84,8 +84,12 @@ RecoveryJournal::~RecoveryJournal() {
 }
 
 void RecoveryJournal::record(std::shared_ptr<const Document> document, Place place) {
+    record([shared = std::move(document)] { return shared; }, std::move(place));
+}
+
+void RecoveryJournal::record(Make make, Place place) {
     const std::lock_guard lock(mutex_);
-    pending_ = std::make_unique<Entry>(Entry{std::move(document), std::move(place)});
+    pending_ = std::make_unique<Entry>(Entry{std::move(make), std::move(place)});
     changed_.notify_all();
 }
 
@@ -137,7 +141,7 @@ std::string RecoveryJournal::placeRecords(const Place &place) {
 }
 
 void RecoveryJournal::write(const Entry &entry) {
-    if (entry.document == nullptr) {
+    if (!entry.document) {
         if (hasText_ && append(encodeRecord(JournalRecord::Saved, {}))) {
             failed_ = false;
         }
@@ -145,7 +149,7 @@ void RecoveryJournal::write(const Entry &entry) {
     }
     std::string text;
     try {
-        text = serialise_(*entry.document);
+        text = serialise_(*entry.document());
     } catch (const std::exception &exception) {
         fail(exception.what());
         return;

@@ -42,8 +42,12 @@ class RecoveryJournal {
         std::uint64_t savedHash = 0; ///< of the file at `savedAt`; 0: unknown
         friend bool operator==(const Place &, const Place &) = default;
     };
+    /// Returns a document; called on the journal's thread, and only for a change that it writes.
+    using Make = std::function<std::shared_ptr<const Document>()>;
     /// Records the current document and its place. Returns immediately.
     void record(std::shared_ptr<const Document> document, Place place);
+    /// Does the same for a document that takes time to make.
+    void record(Make make, Place place);
     /// Records that the document was saved or discarded: there is nothing to recover until the next record().
     void recordSaved();
     /// Waits until everything recorded is on disk.
@@ -55,7 +59,7 @@ class RecoveryJournal {
 
   private:
     struct Entry {
-        std::shared_ptr<const Document> document; ///< null: saved
+        Make document; ///< empty: saved
         Place place;
     };
     void work(const std::stop_token &stop);

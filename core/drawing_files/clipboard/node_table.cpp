@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -84,6 +85,12 @@ class TableReader {
         if (table.rows.empty() && result_.faults.empty()) {
             result_.fault = "the table has a heading but no lines with numbers";
         }
+        if (either_ && !decimalComma_ && result_.faults.empty()) {
+            const std::string number = numberText(*numberInCell(either_->cell), 15);
+            result_.fault = "'" + either_->cell + "' in line " + std::to_string(either_->line + 1) + " may be " +
+                            number + " or " + withoutComma(either_->cell) +
+                            "; write decimal points, or another number of decimals, and no thousands separators";
+        }
         return table;
     }
 
@@ -156,6 +163,7 @@ class TableReader {
                 return fail("expected a number, got '" + std::string(cells[column]) + "'");
             }
             *value = *number;
+            noteComma(cells[column], line);
         }
         for (const auto &[column, value] :
              {std::pair(columns_.shape, &row.node.shape), std::pair(columns_.node, &row.node.node)}) {
@@ -168,6 +176,20 @@ class TableReader {
         }
         --row.node.node;
         return row;
+    }
+
+    /// Remembers whether commas are decimal signs: "1,234" alone may be 1234, too.
+    void noteComma(std::string_view cell, std::size_t line) {
+        const CommaUse use = commaUse(cell);
+        decimalComma_ = decimalComma_ || use == CommaUse::Decimal;
+        if (use == CommaUse::Either && !either_) {
+            either_ = {std::string(cell), line};
+        }
+    }
+
+    static std::string withoutComma(std::string text) {
+        std::erase(text, ',');
+        return text;
     }
 
     std::size_t lastColumn() const {
@@ -184,6 +206,12 @@ class TableReader {
     bool heading_ = false;
     std::size_t count_ = 0; ///< columns of the first line
     TableColumns columns_;
+    bool decimalComma_ = false; ///< a number has one
+    struct Cell {
+        std::string cell;
+        std::size_t line = 0;
+    };
+    std::optional<Cell> either_; ///< the first number whose comma may be a decimal sign or separate thousands
 };
 
 /// Returns true for a path whose nodes are all that is in it: more or fewer of them can take their place.
@@ -198,54 +226,56 @@ class ShapePlacer {
   public:
     ShapePlacer(const Shape &shape, NodeTableResult &result) : before_(shape), shape_(shape), result_(result) {}
 
-    /// Returns the shape with the handles of `rows` at their places; none if nothing moves or something is at fault.
+    /// Returns the shape with the handles of `rows`, sorted by node, at their places; none if nothing moves or
+    /// something is at fault.
     std::optional<Shape> place(std::span<const TableRow> rows) {
         const std::vector<Vec2> handles = handlesOf(before_);
-        std::vector<TableRow> moved;
-        std::copy_if(rows.begin(), rows.end(), std::back_inserter(moved),
-                     [&](const TableRow &row) { return row.at != handles[row.node.node]; });
-        if (moved.empty()) {
+        const auto moves = [&](const TableRow &row) { return row.at != handles[row.node.node]; };
+        const auto first = std::find_if(rows.begin(), rows.end(), moves);
+        if (first == rows.end()) {
             return std::nullopt;
         }
         if (before_.locked) {
-            fail(moved.front(), displayName(before_) + " is locked; unlock it to move its nodes");
+            fail(*first, displayName(before_) + " is locked; unlock it to move its nodes");
             return std::nullopt;
         }
         if (isPath(shape_)) {
             std::vector<Vec2> places = shape_.nodes;
-            for (const TableRow &row : moved) {
+            for (const TableRow &row : rows) {
                 places[row.node.node] = row.at;
             }
             moveNodes(shape_, std::move(places));
         } else {
-            for (const TableRow &row : moved) {
+            // A handle takes others along: those of rows that stay, too.
+            for (const TableRow &row : rows) {
                 placeHandle(shape_, row.node.node, row.at);
             }
         }
-        return accept(moved) ? std::optional(shape_) : std::nullopt;
+        result_.moved += static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), moves));
+        return accept(*first, rows) ? std::optional(shape_) : std::nullopt;
     }
 
   private:
     void fail(const TableRow &row, std::string reason) { result_.faults.push_back({row.line, std::move(reason)}); }
 
-    bool accept(const std::vector<TableRow> &moved) {
+    bool accept(const TableRow &firstMoved, std::span<const TableRow> rows) {
         if (const Diagnostics faults = checkShape(shape_); !faults.empty()) {
-            fail(moved.front(), faults.front().message);
+            fail(firstMoved, faults.front().message);
             return false;
         }
         constexpr double kRounding = 1e-9; // of the extent: handles of slots and ellipses are computed
         const std::vector<Vec2> handles = handlesOf(shape_);
-        const Vec2 extent = boundsOf(shape_).size();
+        const double extent = length(boundsOf(shape_).size());
         bool good = true;
-        for (const TableRow &row : moved) {
+        for (const TableRow &row : rows) {
             const Vec2 at = handles[row.node.node];
-            if (!(distance(at, row.at) <= kRounding * length(extent))) {
+            constexpr double kLastPlaces = 8.0 * std::numeric_limits<double>::epsilon(); // far from the origin
+            if (!(distance(at, row.at) <= kRounding * extent + kLastPlaces * length(at))) {
                 fail(row, "node " + std::to_string(row.node.node + 1) + " of " + displayName(shape_) + " would be at " +
                               placeText(at) + ", as its other nodes say; convert the shape to a path to move it alone");
                 good = false;
             }
         }
-        result_.moved += moved.size();
         return good;
     }
 
@@ -309,8 +339,7 @@ void checkAddresses(const Document &document, const std::vector<TableRow> &rows,
 
 /// Moves the nodes of rows that name them.
 void placeRows(const Document &document, std::vector<TableRow> rows, NodeTableResult &result) {
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const TableRow &a, const TableRow &b) { return a.node.shape < b.node.shape; });
+    std::sort(rows.begin(), rows.end(), [](const TableRow &a, const TableRow &b) { return a.node < b.node; });
     std::vector<Shape> changed;
     for (auto begin = rows.begin(); begin != rows.end();) {
         const auto end =

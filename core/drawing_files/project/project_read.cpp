@@ -223,7 +223,8 @@ class ProjectReader {
             shape.construction = check_.flag(*construction, "\"construction\"");
         }
         if (const auto group = item.find("group")) {
-            shape.group = static_cast<std::uint32_t>(check_.integer(*group, 1, kMaxId, "\"group\""));
+            const auto number = static_cast<std::uint32_t>(check_.integer(*group, 1, kMaxId, "\"group\""));
+            shape.group = groups_.try_emplace(number, static_cast<std::uint32_t>(groups_.size() + 1)).first->second;
         }
         if (const auto tags = item.find("segmentTags");
             tags && check_.expect(*tags, JsonKind::Array, "\"segmentTags\"")) {
@@ -433,6 +434,7 @@ class ProjectReader {
     std::vector<std::size_t> markerOffsets_;
     std::set<std::uint32_t> ids_;
     std::map<std::uint32_t, std::uint32_t> renumbered_; ///< ids of shapes that got others, and these
+    std::map<std::uint32_t, std::uint32_t> groups_;     ///< groups of the file and their numbers, from 1
 };
 
 } // namespace

@@ -101,6 +101,9 @@ std::string scaledExpression(const std::string &expression, double factor) {
     const bool factored = number.ec == std::errc() && expression.substr(open - 1, 2) == "*(" && before > 0.0 &&
                           closesAtEnd(expression, open);
     const double product = factored ? before * factor : factor;
+    if (factored && product == 1.0) {
+        return expression.substr(open + 1, expression.size() - open - 2);
+    }
     return exactText(product) + "*(" + (factored ? expression.substr(open + 1) : expression + ")");
 }
 

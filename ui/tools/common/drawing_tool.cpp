@@ -95,6 +95,7 @@ bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {
 
 void DrawingTool::release(Vec2 at, bool away, Shell &context) {
     if (away && dragPlaces()) {
+        keepRelations(context);
         place(at, context);
     }
 }

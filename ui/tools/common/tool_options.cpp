@@ -125,8 +125,8 @@ bool drawFormulaOption(Workspace &context, ui::Flow &flow, const char *name, con
 }
 
 bool drawLengthOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
-                      const char *tooltip) {
-    return drawNumber(context, flow, name, label, value, tooltip, true);
+                      const char *tooltip, LengthUnit unit) {
+    return drawNumber(context, flow, name, label, value, tooltip, true, unit);
 }
 
 } // namespace forefront

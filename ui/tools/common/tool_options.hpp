@@ -29,8 +29,8 @@ bool drawOptionalSizeOption(Workspace &context, ui::Flow &flow, const char *name
 bool drawFormulaOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
                        std::string &formula, const char *tooltip, bool zero, LengthUnit unit = LengthUnit::None);
 
-/// Draws the option "LABEL [ 0.5 ]" for a number that is not negative. Returns true if it changed.
+/// Draws the option "LABEL [ 0.5 ]" for a number that is not negative; `unit`: of a length. Returns true if it changed.
 bool drawLengthOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
-                      const char *tooltip);
+                      const char *tooltip, LengthUnit unit = LengthUnit::None);
 
 } // namespace forefront

@@ -427,7 +427,8 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
         ui::tooltip(context, "Smooth: your stroke becomes curves, with corners where it turns sharply. Corners: it "
                              "becomes straight segments.");
         drawLengthOption(context, flow, "options/tolerance", "Tolerance", state_->freehandTolerance,
-                         "Maximum distance between the path and your stroke; 0: two pixels");
+                         "Maximum distance between the path and your stroke; 0: two pixels",
+                         context.document.current()->unit);
     }
     if (kind_ == ShapeKind::Polygon) {
         drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");

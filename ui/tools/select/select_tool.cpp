@@ -152,7 +152,9 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     pressPixel_ = event.pixel;
     pressPlace_ = boxPlace_ = event.place;
     adds_ = event.modifiers.shift();
-    single_ = event.modifiers.control();
+    single_ = false; // a drag moves the whole group; a click is over at the release
+    pressedControl_ = event.modifiers.control();
+    selectedBefore_ = context.selection;
     if (pressLabel(event, context)) {
         mode_ = Mode::Idle;
         return;
@@ -265,6 +267,7 @@ void SelectTool::selectInside(Vec2 end, Shell &context) {
 
 void SelectTool::release(const CanvasEvent &event, Shell &context) {
     const bool moved = glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
+    single_ = pressedControl_ && !moved;
     if (mode_ == Mode::Boxing && moved) {
         selectInside(event.place, context);
     } else if (mode_ == Mode::Guiding) {
@@ -273,6 +276,9 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
         joinMoved(context);
         addRelations(context);
     } else if (mode_ == Mode::Boxing) {
+        select(grabbed_, adds_, context.selection);
+    } else if (mode_ == Mode::Grabbed && single_ && (adds_ || !wasSelected_)) {
+        context.selection = selectedBefore_; // the press has selected the group
         select(grabbed_, adds_, context.selection);
     } else if (mode_ == Mode::Grabbed && wasSelected_ && !adds_ && event.clicks < 2) {
         // A second click selects the segment rather than the shape.

@@ -125,7 +125,9 @@ class SelectTool final : public Tool {
     bool over_ = false;
     bool wasSelected_ = false; ///< the pressed item was already selected
     bool adds_ = false;        ///< Shift was down
-    bool single_ = false;      ///< Ctrl was down: a shape is selected without its group
+    bool single_ = false;      ///< a shape is selected without its group: a click with Ctrl
+    bool pressedControl_ = false;
+    Selection selectedBefore_; ///< at the press
     bool alone_ = false;       ///< Alt is down: nodes leave their joints, a control point moves without its opposite
     std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
     Pixel pressPixel_{};

@@ -111,8 +111,8 @@ void RunControl::log(const SessionSnapshot &s) {
     }
 }
 
-/// Limits, the background picture, guides and sketch constraints do not change the mesh, so a revision that differs in
-/// nothing else counts as the one before.
+/// Limits, the background picture, guides, the unit and sketch constraints do not change the mesh, so a revision that
+/// differs in nothing else counts as the one before.
 std::uint64_t RunControl::meshRevision() const {
     const std::uint64_t revision = document_.revision();
     if (revision != seenRevision_) {
@@ -120,11 +120,13 @@ std::uint64_t RunControl::meshRevision() const {
         const auto known = meshRevisions_.find(revision);
         bool same = false;
         if (seen_ && !(seen_->limits == document->limits && seen_->picture == document->picture &&
-                       seen_->guides == document->guides && seen_->constraints == document->constraints)) {
+                       seen_->guides == document->guides && seen_->unit == document->unit &&
+                       seen_->constraints == document->constraints)) {
             Document before = *seen_;
             before.limits = document->limits;
             before.picture = document->picture;
             before.guides = document->guides;
+            before.unit = document->unit;
             before.constraints = document->constraints; // what they move is in the shapes
             same = sameContent(before, *document);
         }
@@ -260,11 +262,13 @@ void RunControl::showFile(FileMesh read) {
     opened->mesh = std::move(read.view);
     opened_ = std::move(opened);
     adapted_ = false;
+    openedUnit_ = LengthUnit::None;
 }
 
 void RunControl::showAdapted(MeshFields made) {
     showFile(std::move(made));
     adapted_ = true;
+    openedUnit_ = document_.current()->unit;
 }
 
 MeshingJob RunControl::job() const {
@@ -272,11 +276,16 @@ MeshingJob RunControl::job() const {
 }
 
 void RunControl::startAt(std::uint64_t advance) {
-    startRun(StartMode::Pause, {meshRevision(), document_.current()->options.method, true, Extent::Full}, advance);
+    startRun(StartMode::Pause,
+             {meshRevision(), document_.current()->options.method, true, Extent::Full, document_.current()->unit},
+             advance);
 }
 
 void RunControl::start(StartMode mode, Extent extent) {
-    startRun(mode, {meshRevision(), document_.current()->options.method, mode == StartMode::RunQuiet, extent}, 0);
+    startRun(mode,
+             {meshRevision(), document_.current()->options.method, mode == StartMode::RunQuiet, extent,
+              document_.current()->unit},
+             0);
 }
 
 void RunControl::startRun(StartMode mode, const Start &start, std::uint64_t advance) {
@@ -412,6 +421,11 @@ bool RunControl::hasRun() const {
 bool RunControl::outOfDate() const {
     const bool catchesUp = live && (liveMeshPending() || session_.busy() || hasNews() || (!gestureOver_ && preview()));
     return started_ && !drawingIsEmpty() && (shown_.revision != meshRevision() || preview()) && !catchesUp;
+}
+
+LengthUnit RunControl::shownUnit() const {
+    // A unit chosen afterwards is that of the mesh, too, unless the drawing was scaled.
+    return opened_ ? openedUnit_ : shown_.revision == meshRevision() ? document_.current()->unit : shown_.unit;
 }
 
 Method RunControl::method() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/session/meshing_session.hpp"
 #include "ui/background/background_list.hpp"
@@ -119,6 +120,8 @@ class RunControl final : public BackgroundActivity {
     bool outOfDate() const;
     /// Returns the revision of the document whose mesh is shown.
     std::uint64_t shownRevision() const { return shown_.revision; }
+    /// Returns the unit of length of the mesh shown: that of the document it was made from; none for one from a file.
+    LengthUnit shownUnit() const;
     /// Returns the revision of the document that live meshing last started a mesh of, or decided not to mesh.
     std::uint64_t followedRevision() const { return followed_; }
     /// Returns the revision of the document, or an earlier one whose mesh is the same.
@@ -146,6 +149,7 @@ class RunControl final : public BackgroundActivity {
         Method method = Method::Fast;
         bool live = false;
         Extent extent = Extent::Full;
+        LengthUnit unit = LengthUnit::None;
     };
 
     /// Live meshing, which the window must not miss while the worker is idle.
@@ -185,7 +189,8 @@ class RunControl final : public BackgroundActivity {
     const std::shared_ptr<const SessionSnapshot> empty_ = std::make_shared<const SessionSnapshot>();
     std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file or of Adapt; null: the run's mesh is shown
     bool adapted_ = false;                          ///< opened_ was made by Adapt
-    std::shared_ptr<const FileFields> fields_;      ///< values of that mesh; null: none
+    LengthUnit openedUnit_ = LengthUnit::None;
+    std::shared_ptr<const FileFields> fields_; ///< values of that mesh; null: none
     std::uint64_t openedCount_ = 0;
     /// The result of the last live run; logged when the gesture is over.
     struct LiveResult {
