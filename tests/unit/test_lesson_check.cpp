@@ -44,7 +44,7 @@ std::string lessonAsking(const std::string &members) {
 }
 
 /// Returns the faults of a lesson that can be read.
-Diagnostics faultsOf(const std::string &text) {
+Diagnostics lessonFaults(const std::string &text) {
     LessonNames names;
     names.document = drawing;
     const SourceText source = sourceOf(text);
@@ -55,7 +55,7 @@ Diagnostics faultsOf(const std::string &text) {
 
 std::string codesOf(const std::string &text) {
     std::string codes;
-    for (const Diagnostic &fault : faultsOf(text)) {
+    for (const Diagnostic &fault : lessonFaults(text)) {
         codes += (codes.empty() ? "" : " ") + fault.code;
     }
     return codes;
@@ -79,7 +79,7 @@ TEST_CASE("Lesson check: a lesson whose questions have answers is free of faults
 
 TEST_CASE("Lesson check: what only a run can tell is reported with its page and line") {
     using namespace checked_lessons;
-    const Diagnostics faults = faultsOf(lesson(lessonAsking(R"("until": {"value": "elements", "is": 5000})")));
+    const Diagnostics faults = lessonFaults(lesson(lessonAsking(R"("until": {"value": "elements", "is": 5000})")));
     REQUIRE(faults.size() == 1);
     CHECK(faults.front().code == "no-answer");
     CHECK(faults.front().line == 4);
