@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/mapped_spec.hpp"
 #include "core/engine/domain/periodic.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
@@ -17,6 +18,7 @@ struct DomainFile {
     SpacingSpec spacing;
     std::vector<std::int32_t> cracks{};   ///< tags of inner lines that are cracks; see MeshingJob::cracks
     std::vector<PeriodicSpec> periodic{}; ///< parts that are divided alike; see MeshingJob::periodic
+    std::vector<MappedSpec> mapped{};     ///< regions filled by rows of elements; see MeshingJob::mapped
 };
 
 } // namespace forefront
