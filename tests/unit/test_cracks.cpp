@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 #include <string>
@@ -207,6 +208,17 @@ TEST_CASE("Cracks: points on them are kept on all copies of their nodes") {
     CHECK(mesh.points[1].node != mesh.points[0].node);
     CHECK(mesh.nodes[index(mesh.points[1].node)] == Vec2{0.1, 0.2});
     CHECK(report->cracks[0].right == 10); // above the tags of points, too
+}
+
+TEST_CASE("Cracks: where the highest tag is used, the right face gets an unused one") {
+    MeshingJob job = square({{{-0.5, 0}, {0.5, 0}}});
+    job.cracks.clear();
+    Mesh mesh = meshed(job).mesh;
+    mesh.points.push_back({mesh.edges[0].a, std::numeric_limits<std::int32_t>::max()});
+    const std::int32_t cracks[] = {5};
+    const Result<CrackReport> report = openCracks(mesh, cracks);
+    REQUIRE(report);
+    CHECK(report->cracks[0].right == 2);
 }
 
 TEST_CASE("Cracks: what cannot open is refused with its place") {
