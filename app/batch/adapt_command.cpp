@@ -116,15 +116,13 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file, 
 Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainFile, const Mesh &mesh,
                            ImportNotes &notes) {
     if (!arguments.domain) {
-        std::vector<OpenLine> lines;
-        Result<Domain> outline = outlineOf(mesh, {}, &lines);
+        Result<MeshDomain> outline = outlineOf(mesh);
         if (!outline) {
             return outline.faults();
         }
-        MeshingJob job{std::move(*outline), {}, arguments.options()};
-        for (const OpenLine &line : lines) {
-            job.cracks.push_back(line.tag);
-        }
+        MeshingJob job{std::move(outline->domain), {}, arguments.options()};
+        job.cracks = std::move(outline->cracks);
+        job.periodic = std::move(outline->periodic);
         return job;
     }
     Result<DomainFile> file = allFormats().readDomain(domainFile.path, domainFile.options, &notes);
@@ -138,6 +136,8 @@ Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainF
     printFaults(remarks);
     MeshingJob job{std::move(file->domain), std::move(file->spacing), arguments.options()};
     job.cracks = std::move(file->cracks);
+    job.periodic = std::move(file->periodic);
+    job.mapped = std::move(file->mapped);
     return job;
 }
 

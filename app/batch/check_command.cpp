@@ -71,7 +71,7 @@ struct CheckArguments {
     std::map<std::string, std::string> parameters; ///< of the projects; expressions by name, from --set
     DrawingArguments drawing;                      ///< of the domain
     bool repair = false;
-    std::vector<std::string> cracks; ///< of the domain
+    CrackArguments cracks; ///< of the domain
     std::optional<double> size;
     std::optional<std::string> expression;
     std::vector<std::string> rasters, presets; ///< of --raster and --size-preset, which sets `expression`
@@ -104,8 +104,8 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
         !faults.empty()) {
         return faults;
     }
-    const Result<Domain> domain = domainOfMesh(mesh);
-    return domain ? SpacingField::build(spec, *domain) : domain.faults();
+    const Result<MeshDomain> outline = domainOfMesh(mesh);
+    return outline ? SpacingField::build(spec, outline->domain) : outline.faults();
 }
 
 /// Adds the length of each boundary part, by tag, times a factor.
@@ -142,6 +142,7 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
     const std::vector<TaggedEdge> edges = kinds ? std::vector<TaggedEdge>() : edgesLikeAnOutline(mesh, input);
     mesh.edges = edges;
     arguments.drawing.applyTo(input.options);
+    input.options.keepSharedLines = arguments.repair;
     Result<DomainFile> file = allFormats().readDomain(input.path, input.options);
     if (!file) {
         return file.faults();
@@ -340,7 +341,9 @@ int checkCommand(const CommandLine &line) {
                    "write the verdict and the figures as JSON, with the names that mesh --stats has for them; -: print "
                    "them instead of the summary")
         ->type_name("FILE.json");
-    addCrackOption(app, arguments.cracks);
+    addCrackOptions(app, arguments.cracks,
+                    "with --domain: the inner line NAME is a crack; every sector of elements between its faces must "
+                    "have nodes of its own there; can be repeated");
     addConfigOption(app);
     if (const auto code = parseOptions(app, line)) {
         return *code;
@@ -358,8 +361,10 @@ int checkCommand(const CommandLine &line) {
     if (!arguments.parameters.empty() && !arguments.domain && !arguments.savedLimits) {
         return wrongUsage(app.get_name(), "--set: only projects have parameters; add --domain or --limits");
     }
-    if (!arguments.domain && !arguments.cracks.empty()) {
-        return wrongUsage(app.get_name(), "--crack: names a line of the domain; add --domain");
+    if (!arguments.domain && arguments.cracks.any()) {
+        return wrongUsage(app.get_name(), arguments.cracks.names.empty()
+                                              ? "--no-cracks: tells how to read the domain; add --domain"
+                                              : "--crack: names a line of the domain; add --domain");
     }
     if (!arguments.domain && (arguments.repair || !arguments.drawing.firstGiven().empty())) {
         return wrongUsage(app.get_name(), (arguments.repair ? "--repair" : arguments.drawing.firstGiven()) +

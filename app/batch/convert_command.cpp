@@ -119,6 +119,11 @@ Diagnostics checkConverted(const Mesh &mesh, const ConvertArguments &arguments) 
     return {};
 }
 
+bool hasTriangles(const Mesh &mesh) {
+    return std::any_of(mesh.blocks.begin(), mesh.blocks.end(),
+                       [](const CellBlock &block) { return block.size() > 0 && block.traits().corners == 3; });
+}
+
 /// Prints how many triangles recombining left.
 void noteRecombined(const QuadReport &report, const ConvertArguments &arguments) {
     if (report.triangles > 0 && !arguments.quiet) {
@@ -141,7 +146,11 @@ Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const 
     if (arguments.triangles) {
         mesh = takeTriangulated(std::move(mesh)).mesh;
     }
-    if (arguments.recombine) {
+    const bool joins = arguments.recombine && hasTriangles(mesh);
+    if (arguments.recombine && !joins) {
+        noEffect("--recombine has no effect: the mesh has no triangles");
+    }
+    if (joins) {
         const Result<QuadReport> report = recombine(mesh, ImproveLevel::Default, progress);
         if (!report) {
             return report.faults();
@@ -236,7 +245,7 @@ int runConvert(const ConvertArguments &arguments) {
     if (!arguments.quiet) {
         noteDroppedFields(*read, *file);
     }
-    if (arguments.recombine && !elevations.empty()) {
+    if (arguments.recombine && hasTriangles(read->mesh) && !elevations.empty()) {
         elevations.clear();
         printFaults(noteOf("elevations", "the elevations of the file are left out, since recombining moves nodes; "
                                          "give them with --elevation"));

@@ -7,19 +7,19 @@
 
 namespace forefront {
 
-void addCrackOption(CLI::App &app, std::vector<std::string> &names) {
-    app.add_option(
-           "--crack", names,
-           "make a crack of the inner line NAME: the elements on its two sides get nodes of their own; the face "
-           "on the right of the line is named NAME_right; can be repeated")
-        ->allow_extra_args(false)
-        ->type_name("NAME");
+void addCrackOptions(CLI::App &app, CrackArguments &arguments, const char *crackHelp) {
+    app.add_option("--crack", arguments.names, crackHelp)->allow_extra_args(false)->type_name("NAME");
+    app.add_flag("--no-cracks", arguments.dropsOthers,
+                 "leave out the cracks of the input: those of a project, and the lines along which a mesh is open, are "
+                 "inner lines whose two sides share nodes");
 }
 
-Diagnostics applyCracks(const std::vector<std::string> &names, const Domain &domain,
-                        std::vector<std::int32_t> &cracks) {
+Diagnostics applyCracks(const CrackArguments &arguments, const Domain &domain, std::vector<std::int32_t> &cracks) {
+    if (arguments.dropsOthers) {
+        cracks.clear();
+    }
     const PartNames parts(domain);
-    for (const std::string &name : names) {
+    for (const std::string &name : arguments.names) {
         const std::optional<std::int32_t> tag = parts.find(name);
         if (!tag) {
             return parts.unknown("--crack", name);

@@ -246,7 +246,9 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     addCurveToleranceOption(app, arguments.curveTolerance);
     addLayersOption(app, layers);
     addPeriodicOption(app, arguments.periodic);
-    addCrackOption(app, arguments.cracks);
+    addCrackOptions(app, arguments.cracks,
+                    "make a crack of the inner line NAME: the elements on its two sides get nodes of their own; the "
+                    "face on the right of the line is named NAME_right; can be repeated");
     addMappedOption(app, arguments.mapped);
     addFrontOptions(app, arguments, grid);
     addFixOptions(app, arguments.limits, arguments.fix);

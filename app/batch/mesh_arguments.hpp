@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/batch/cli_options.hpp"
+#include "app/batch/crack_option.hpp"
 #include "app/batch/layers_option.hpp"
 #include "app/batch/outputs.hpp"
 #include "core/engine/mesh/limits.hpp"
@@ -40,8 +41,8 @@ struct MeshArguments {
     std::optional<CurveToleranceArgument> curveTolerance;
     std::vector<LayersArgument> layers;
     std::vector<std::string> periodic; ///< values of --periodic
-    std::vector<std::string> cracks;   ///< values of --crack
-    std::vector<std::string> mapped;   ///< values of --mapped
+    CrackArguments cracks;
+    std::vector<std::string> mapped; ///< values of --mapped
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
     std::optional<Elements> elements;

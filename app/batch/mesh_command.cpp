@@ -27,6 +27,7 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/large_elements.hpp"
+#include "core/engine/pipeline/optional_periodic.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/pipeline/target_elements.hpp"
 #include "core/engine/spacing/scaled_sizes.hpp"
@@ -50,6 +51,7 @@ struct ReadJob {
     MeshLimits limits;                        ///< of a project
     LengthUnit unit = LengthUnit::None;       ///< of the coordinates
     MapSystem system = {};                    ///< of the coordinates of a map
+    std::vector<PeriodicSpec> periodicOfMesh; ///< parts that nobody asked for
 };
 
 /// Reads the domain of any file with its element sizes, and also options if the file is a project.
@@ -68,8 +70,8 @@ Result<ReadJob> readJob(const Input &input, ImportNotes &notes) {
     const Box2 box = file->domain.bounds();
     MeshingJob job{std::move(file->domain), std::move(file->spacing), {}};
     job.cracks = std::move(file->cracks);
-    job.periodic = std::move(file->periodic);
-    return ReadJob{std::move(job), box, {}, {}, file->unit};
+    job.periodic = file->periodic;
+    return ReadJob{std::move(job), box, {}, {}, file->unit, {}, std::move(file->periodic)};
 }
 
 /// Returns what is wrong with the options of a picture as spacing file; empty if nothing is.
@@ -352,6 +354,14 @@ Result<ReadJob> readFiles(const MeshArguments &arguments, const MeshFiles &files
     return read;
 }
 
+/// Leaves out the periodic parts of a mesh file that something asked for excludes, and prints notes on them.
+void leaveOutPeriodicOfMesh(const MeshArguments &arguments, ReadJob &read) {
+    const Diagnostics notes = leaveOutExcludedPeriodic(read.job, read.periodicOfMesh);
+    if (!arguments.quiet) {
+        printFaults(notes);
+    }
+}
+
 int runMesh(const MeshArguments &arguments) {
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
@@ -367,6 +377,7 @@ int runMesh(const MeshArguments &arguments) {
     }
     arguments.drawing.applyTo(input.options);
     input.options.strict = arguments.strict;
+    input.options.keepSharedLines = arguments.repair;
     Result<ReadJob> read = readFiles(arguments, *files, bar);
     Diagnostics faults = read ? Diagnostics() : read.faults();
     MeshingJob *const job = read ? &read->job : nullptr;
@@ -386,11 +397,12 @@ int runMesh(const MeshArguments &arguments) {
         faults = allFormats().locateFaults(input.path, applyLayers(arguments.layers, *job), input.options);
     }
     if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, applyPeriodic(arguments.periodic, *job), input.options);
-    }
-    if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, applyCracks(arguments.cracks, job->domain, job->cracks),
                                            input.options);
+    }
+    if (faults.empty()) {
+        leaveOutPeriodicOfMesh(arguments, *read);
+        faults = allFormats().locateFaults(input.path, applyPeriodic(arguments.periodic, *job), input.options);
     }
     if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, applyMapped(arguments.mapped, *job), input.options);

@@ -3,6 +3,7 @@
 #include "core/engine/mesh/mesh_access.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/verify.hpp"
+#include "core/engine/pipeline/optional_periodic.hpp"
 #include "core/files/files.hpp"
 
 #include <algorithm>
@@ -53,11 +54,21 @@ forefront_status forefront_mesh_domain(forefront_context *context, const forefro
         if (job == nullptr || mesh == nullptr) {
             return badArgument(*context, "the job or the place for the mesh is null");
         }
-        forefront::Result<forefront::MeshingOutcome> outcome = meshDomain(job->job, progressFor(*job));
+        const forefront::MeshingJob *run = &job->job;
+        forefront::MeshingJob changed;
+        forefront::Diagnostics notes;
+        if (!run->periodic.empty()) { // those of a mesh that was read
+            changed = job->job;
+            notes = leaveOutExcludedPeriodic(changed, run->periodic);
+            run = &changed;
+        }
+        forefront::Result<forefront::MeshingOutcome> outcome = meshDomain(*run, progressFor(*job));
         if (!outcome) {
             return report(*context, outcome.faults());
         }
-        report(*context, outcome->spacing->notes());
+        const forefront::Diagnostics ofSpacing = outcome->spacing->notes();
+        notes.insert(notes.end(), ofSpacing.begin(), ofSpacing.end());
+        report(*context, notes);
         return handOver(std::move(outcome->mesh), std::move(outcome->spacing), mesh);
     });
 }

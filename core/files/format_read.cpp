@@ -67,16 +67,16 @@ Result<Mesh> meshAlone(const Format &format, const SourceText &source) {
     return std::move(file->mesh);
 }
 
-} // namespace
-
-namespace {
-
 /// Notes that open lines of a mesh are read as cracks, and what their faces lose.
-void noteCracks(const Mesh &mesh, const Domain &domain, const std::vector<OpenLine> &cracks, const SourceText &source) {
-    for (const OpenLine &line : cracks) {
-        const std::string name = boundaryName(domain.boundaryNames, line.tag),
+void noteCracks(const Mesh &mesh, const MeshDomain &made, const SourceText &source) {
+    const auto keeps = [&](std::int32_t tag) {
+        return std::any_of(made.domain.segments.begin(), made.domain.segments.end(),
+                           [tag](const DomainSegment &segment) { return segment.tag == tag; });
+    };
+    for (const OpenLine &line : made.lines) {
+        const std::string name = boundaryName(made.domain.boundaryNames, line.tag),
                           other = line.other == 0 ? std::string() : boundaryName(mesh.boundaryNames, line.other);
-        const bool lost = !other.empty() && other != crackFaceName(name);
+        const bool lost = !other.empty() && other != crackFaceName(name) && !keeps(line.other);
         source.note("crack",
                     "the mesh is open along " + countText(line.edges, "edge") + ", first at " + placeText(line.at) +
                         ": read as the crack " + name + (lost ? "; its other face was " + other : std::string()),
@@ -94,20 +94,19 @@ Result<DomainFile> domainFrom(const Format &format, const SourceText &source) {
     if (!mesh) {
         return mesh.faults();
     }
-    std::vector<OpenLine> lines;
-    Result<Domain> outline = domainOfMesh(*mesh, source.options.progress, &lines);
+    const OpenLineRule rule = source.options.keepSharedLines ? OpenLineRule::OwnTags : OpenLineRule::All;
+    Result<MeshDomain> outline = domainOfMesh(*mesh, source.options.progress, rule);
     if (!outline) {
         return outline.faults();
     }
-    noteCracks(*mesh, *outline, lines, source);
-    DomainFile file{std::move(*outline), {}};
-    for (const PeriodicLink &link : mesh->periodic) {
-        file.periodic.push_back({link.from, link.to});
+    noteCracks(*mesh, *outline, source);
+    if (const std::size_t left = mesh->periodic.size() - outline->periodic.size(); left > 0) {
+        source.note("periodic",
+                    "ignored " + countText(left, "pair") +
+                        " of periodic parts that lie inside the domain or meet a crack; expected parts of its boundary",
+                    0);
     }
-    for (const OpenLine &line : lines) {
-        file.cracks.push_back(line.tag);
-    }
-    return file;
+    return DomainFile{std::move(outline->domain), {}, std::move(outline->cracks), std::move(outline->periodic)};
 }
 
 Result<DomainFile> FormatList::readDomain(const std::filesystem::path &path, const ImportOptions &options,

@@ -150,8 +150,8 @@ void runFormat(const Format &format, std::string_view bytes) {
             checkMesh(*mesh);
             checkMesh(triangulated(*mesh).mesh);
             static_cast<void>(verify(*mesh));
-            if (const auto domain = domainOfMesh(*mesh)) {
-                checkDomain(*domain);
+            if (const auto outline = domainOfMesh(*mesh)) {
+                checkDomain(outline->domain);
             }
         }
     }

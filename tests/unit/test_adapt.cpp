@@ -139,19 +139,19 @@ TEST_CASE("elementSpacing: elements at the minimum size do not make the rest eve
 
 TEST_CASE("outlineOf: drops nodes that only divide a straight side, and keeps tags and names") {
     const TriMesh mesh = samples::square(9, 4, 0.1, {3.0, 7.0});
-    const Result<Domain> domain = outlineOf(mesh);
+    const Result<MeshDomain> domain = outlineOf(mesh);
     REQUIRE(domain);
-    CHECK(domain->nodes.size() == 4);
-    CHECK(domain->segments.size() == 4);
+    CHECK(domain->domain.nodes.size() == 4);
+    CHECK(domain->domain.segments.size() == 4);
     std::set<std::int32_t> tags;
-    for (const DomainSegment &segment : domain->segments) {
+    for (const DomainSegment &segment : domain->domain.segments) {
         tags.insert(segment.tag);
     }
     CHECK(tags == std::set<std::int32_t>{1, 2, 3, 4});
-    CHECK(domain->boundaryNames == mesh.boundaryNames);
+    CHECK(domain->domain.boundaryNames == mesh.boundaryNames);
     TriMesh pinned = mesh;
     pinned.points.push_back({samples::node(4), 7}); // in the middle of the bottom
-    CHECK(outlineOf(pinned)->nodes.size() == 5);
+    CHECK(outlineOf(pinned)->domain.nodes.size() == 5);
 }
 
 TEST_CASE("outlineOf: can be cancelled at each of its reports") {
@@ -174,7 +174,7 @@ TEST_CASE("outlineOf: can be cancelled at each of its reports") {
         stop = std::stop_source();
         progress.stop = stop.get_token();
         reports = 0;
-        const Result<Domain> outline = outlineOf(mesh, progress);
+        const Result<MeshDomain> outline = outlineOf(mesh, progress);
         REQUIRE(!outline);
         CHECK(outline.faults().front().code == "cancelled");
         CHECK(reports == limit);
@@ -192,11 +192,11 @@ TEST_CASE("outlineOf: a mesh along curves gives them back, so that a finer mesh 
     job.spacing.size = 0.4;
     const Result<MeshingOutcome> coarse = meshDomain(job);
     REQUIRE(coarse);
-    const Result<Domain> outline = outlineOf(takeTriMesh(coarse->mesh));
+    const Result<MeshDomain> outline = outlineOf(takeTriMesh(coarse->mesh));
     REQUIRE(outline);
-    CHECK(outline->curves == job.domain.curves);
-    CHECK(validate(*outline).empty());
-    job.domain = *outline;
+    CHECK(outline->domain.curves == job.domain.curves);
+    CHECK(validate(outline->domain).empty());
+    job.domain = outline->domain;
     job.spacing.size = 0.05;
     const Result<MeshingOutcome> fine = meshDomain(job);
     REQUIRE(fine);

@@ -12,7 +12,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 #include <string>
@@ -208,6 +210,17 @@ TEST_CASE("Cracks: points on them are kept on all copies of their nodes") {
     CHECK(report->cracks[0].right == 10); // above the tags of points, too
 }
 
+TEST_CASE("Cracks: where the highest tag is used, the right face gets an unused one") {
+    MeshingJob job = square({{{-0.5, 0}, {0.5, 0}}});
+    job.cracks.clear();
+    Mesh mesh = meshed(job).mesh;
+    mesh.points.push_back({mesh.edges[0].a, std::numeric_limits<std::int32_t>::max()});
+    const std::int32_t cracks[] = {5};
+    const Result<CrackReport> report = openCracks(mesh, cracks);
+    REQUIRE(report);
+    CHECK(report->cracks[0].right == 2);
+}
+
 TEST_CASE("Cracks: what cannot open is refused with its place") {
     MeshingJob job = square({{{-0.05, 0}, {0.05, 0}}});
     Result<MeshingOutcome> outcome = meshDomain(job);
@@ -282,28 +295,100 @@ TEST_CASE("Cracks: faults of their nodes are found") {
 TEST_CASE("Cracks: meshes that are read are meshed again with them") {
     const MeshingJob job = toTheSide();
     const Mesh mesh = meshed(job).mesh;
-    std::vector<OpenLine> lines;
-    Result<Domain> domain = domainOfMesh(mesh, {}, &lines);
-    REQUIRE(domain);
-    REQUIRE(lines.size() == 1);
-    CHECK(lines[0].tag == 5);
-    CHECK(domain->boundaryNames.count(6) == 0);
+    Result<MeshDomain> outline = domainOfMesh(mesh);
+    REQUIRE(outline);
+    CHECK(outline->cracks == std::vector<std::int32_t>{5});
+    CHECK(outline->domain.boundaryNames.count(6) == 0);
     MeshingJob again;
-    again.domain = *domain;
+    again.domain = outline->domain;
     again.spacing.size = 0.1;
-    again.cracks = {5};
+    again.cracks = outline->cracks;
     again.options.verify = true;
     CHECK(meshed(again).cracks.tips == 1);
     Mesh bare = mesh;
     bare.edges.clear();
     bare.boundaryNames.clear();
-    domain = domainOfMesh(bare, {}, &lines);
-    REQUIRE(domain);
-    REQUIRE(lines.size() == 1);
-    CHECK(domain->boundaryNames.at(lines[0].tag) == "crack");
-    again.domain = *domain;
-    again.cracks = {lines[0].tag};
+    outline = domainOfMesh(bare);
+    REQUIRE(outline);
+    REQUIRE(outline->cracks.size() == 1);
+    CHECK(outline->domain.boundaryNames.at(outline->cracks[0]) == "crack");
+    again.domain = outline->domain;
+    again.cracks = outline->cracks;
     CHECK(meshed(again).cracks.tips == 1);
+}
+
+namespace crack_cases {
+
+/// Two unit squares side by side whose nodes at x = 1 are not merged. `left`, `right`: tags of their outlines.
+Mesh twoBlocks(std::int32_t left, std::int32_t right) {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1, 0}, {2, 0}, {2, 1}, {1, 1}};
+    CellBlock &block = mesh.block(CellKind::Quadrilateral4);
+    for (const std::uint32_t first : {0U, 4U}) {
+        const std::array<NodeId, 4> corners{NodeId{first}, NodeId{first + 1}, NodeId{first + 2}, NodeId{first + 3}};
+        block.add(corners);
+        block.regions.push_back(1);
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            mesh.edges.push_back({corners[k], corners[(k + 1) % 4], first == 0 ? left : right, kNoNode});
+        }
+    }
+    mesh.boundaryNames = {{1, "a"}, {2, "b"}};
+    return mesh;
+}
+
+} // namespace crack_cases
+
+TEST_CASE("Cracks: blocks whose nodes are not merged keep their tags, and their contact has one of its own") {
+    for (const std::int32_t right : {2, 1}) {
+        CAPTURE(right);
+        const Mesh mesh = twoBlocks(1, right);
+        const Result<MeshDomain> outline = domainOfMesh(mesh);
+        REQUIRE(outline);
+        CHECK(outline->cracks == std::vector<std::int32_t>{3});
+        CHECK(outline->domain.boundaryNames == std::map<std::int32_t, std::string>{{1, "a"}, {2, "b"}, {3, "crack"}});
+        const auto has = [&](std::int32_t tag) {
+            return std::count_if(outline->domain.segments.begin(), outline->domain.segments.end(),
+                                 [tag](const DomainSegment &segment) { return segment.tag == tag; });
+        };
+        CHECK(has(1) == (right == 1 ? 6 : 3));
+        CHECK(has(3) == 1);
+        MeshingJob job;
+        job.domain = outline->domain;
+        job.cracks = outline->cracks;
+        job.spacing.size = 0.3;
+        job.options.verify = true;
+        CHECK(meshed(job).cracks.tips == 0);
+        const Result<MeshDomain> left = domainOfMesh(mesh, {}, OpenLineRule::OwnTags);
+        REQUIRE(left);
+        CHECK(left->cracks.empty());
+        CHECK(left->domain.segments.size() == 8); // repair() merges those at the contact
+    }
+}
+
+TEST_CASE("Cracks: a line with two other faces is one crack") {
+    Mesh mesh = twoBlocks(1, 2);
+    const auto tag = [&](NodeId a, NodeId b, std::int32_t is) {
+        for (TaggedEdge &edge : mesh.edges) {
+            edge.tag = edge.a == a && edge.b == b ? is : edge.tag;
+        }
+    };
+    // A second contact: a third block above the first one.
+    mesh.nodes.insert(mesh.nodes.end(), {{0, 1}, {1, 1}, {1, 2}, {0, 2}});
+    const std::array<NodeId, 4> corners{NodeId{8}, NodeId{9}, NodeId{10}, NodeId{11}};
+    CellBlock &block = mesh.block(CellKind::Quadrilateral4);
+    block.add(corners);
+    block.regions.push_back(1);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        mesh.edges.push_back({corners[k], corners[(k + 1) % 4], 2, kNoNode});
+    }
+    tag(NodeId{1}, NodeId{2}, 7);
+    tag(NodeId{2}, NodeId{3}, 7);
+    tag(NodeId{7}, NodeId{4}, 8);
+    tag(NodeId{8}, NodeId{9}, 9);
+    const Result<MeshDomain> outline = domainOfMesh(mesh);
+    REQUIRE(outline);
+    CHECK(outline->lines.size() == 2);
+    CHECK(outline->cracks == std::vector<std::int32_t>{7});
 }
 
 TEST_CASE("Cracks: every format with names holds both faces") {

@@ -44,15 +44,15 @@ const std::string kInlet = "$PhysicalNames\n1\n1 1 \"inlet\"\n$EndPhysicalNames\
 TEST_CASE("Gmsh domain: outer edges and interfaces without a group take unused tags, not the first group's") {
     const auto domain = domainOfMesh(meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1)));
     REQUIRE(domain.ok());
-    CHECK(segmentsByTag(*domain) == std::map<std::int32_t, std::size_t>{{1, 1}, {2, 5}, {3, 1}});
-    CHECK(domain->boundaryNames == std::map<std::int32_t, std::string>{{1, "inlet"}});
-    CHECK(boundaryName(domain->boundaryNames, 2) == "boundary_2");
+    CHECK(segmentsByTag(domain->domain) == std::map<std::int32_t, std::size_t>{{1, 1}, {2, 5}, {3, 1}});
+    CHECK(domain->domain.boundaryNames == std::map<std::int32_t, std::string>{{1, "inlet"}});
+    CHECK(boundaryName(domain->domain.boundaryNames, 2) == "boundary_2");
 }
 
 TEST_CASE("Gmsh domain: a mesh without tagged edges gets one tag for its outer boundary and another for interfaces") {
     const auto domain = domainOfMesh(meshOf(twoSquares("", "", 0)));
     REQUIRE(domain.ok());
-    CHECK(segmentsByTag(*domain) == std::map<std::int32_t, std::size_t>{{1, 6}, {2, 1}});
+    CHECK(segmentsByTag(domain->domain) == std::map<std::int32_t, std::size_t>{{1, 6}, {2, 1}});
 }
 
 TEST_CASE("Gmsh: an entity without a group does not join the group that has its number") {
@@ -71,7 +71,7 @@ TEST_CASE("Gmsh: a default name that a group has already is not given to another
     const std::string names = "$PhysicalNames\n1\n1 1 \"boundary_2\"\n$EndPhysicalNames\n";
     const auto domain = domainOfMesh(meshOf(twoSquares(names, "1 1 2 1 1 4 1\n", 1)));
     REQUIRE(domain.ok());
-    CHECK(segmentsByTag(*domain) == std::map<std::int32_t, std::size_t>{{1, 1}, {3, 5}, {4, 1}});
+    CHECK(segmentsByTag(domain->domain) == std::map<std::int32_t, std::size_t>{{1, 1}, {3, 5}, {4, 1}});
 }
 
 TEST_CASE("Gmsh: a group of points keeps its name apart from the group of lines with the same number") {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <stop_token>
 #include <string>
 
 using namespace forefront;
@@ -222,6 +223,55 @@ TEST_CASE("Mapped faces: what cannot be mapped is refused with its place") {
     job.mapped = {{1}};
     job.spacing.size = 0.3;
     CHECK(codeOf(job) == "mapped-corners");
+}
+
+TEST_CASE("Mapped faces: too many elements are refused before they are made, and smoothing is cancelled") {
+    MeshingJob job = bar();
+    job.spacing = {};
+    job.spacing.size = 1.0;
+    job.spacing.placed.elements = {3000, 3000, 3000, 3000};
+    job.options.maxElements = 1'000'000;
+    const Result<MeshingOutcome> outcome = meshDomain(job);
+    REQUIRE_FALSE(outcome);
+    CHECK(outcome.faults().front().code == "too-many-elements");
+    NodeGrid grid(2, 2);
+    for (std::size_t i = 0; i <= 2; ++i) {
+        for (std::size_t j = 0; j <= 2; ++j) {
+            grid.at(i, j) = {static_cast<double>(i), static_cast<double>(j)};
+        }
+    }
+    grid.at(1, 1) = {5, 5};
+    Progress progress;
+    std::stop_source stop;
+    progress.stop = stop.get_token();
+    stop.request_stop();
+    CHECK_FALSE(grid.smoothUntilValid(false, progress));
+    CHECK(grid.at(1, 1) == Vec2{5, 5});
+}
+
+TEST_CASE("Mapped faces: nodes between the chords of a curve are no corners") {
+    MeshingJob job;
+    Domain &domain = job.domain;
+    domain.nodes = {{-1, 0}, {-1, -1}, {1, -1}, {1, 0}};
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        domain.segments.push_back({k, k + 1, 1, SegmentRole::Boundary});
+    }
+    domain.curves.push_back(Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, std::acos(-1.0)));
+    std::uint32_t before = 3;
+    for (int k = 1; k <= 4; ++k) { // chords at angles of 135 degrees
+        std::uint32_t next = 0;
+        if (k < 4) {
+            next = static_cast<std::uint32_t>(domain.nodes.size());
+            domain.nodes.push_back(domain.curves[0].point(k / 4.0));
+        }
+        domain.segments.push_back({before, next, 1, SegmentRole::Boundary, {0, (k - 1) / 4.0, k / 4.0}});
+        before = next;
+    }
+    job.spacing.size = 0.3;
+    job.mapped = {{1}};
+    CHECK(codeOf(job) == "mapped-corners"); // the sides meet the arc smoothly: two corners are left
+    job.mapped[0].corners = {{-1, 0}, {-1, -1}, {1, -1}, {1, 0}};
+    CHECK(codeOf(job).empty());
 }
 
 TEST_CASE("Mapped faces: the stepper has nothing to do where they fill the domain") {

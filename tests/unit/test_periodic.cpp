@@ -2,8 +2,10 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/domain/add_loop.hpp"
+#include "core/engine/mesh/mesh_domain.hpp"
 #include "core/engine/mesh/numbering.hpp"
 #include "core/engine/mesh/periodic_pairs.hpp"
+#include "core/engine/pipeline/optional_periodic.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/abaqus/abaqus.hpp"
 #include "core/files/gmsh/gmsh.hpp"
@@ -16,6 +18,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -299,6 +302,39 @@ TEST_CASE("periodic parts: MSH files hold the pairs, Abaqus files tell them") {
         }
         CHECK(verifyPeriodic(*read).empty());
     }
+}
+
+TEST_CASE("periodic parts: pairs with unknown nodes are skipped, those of other dimensions not looked up") {
+    std::string text = written(writeMsh2, meshed(cell()).mesh);
+    const std::string section = "$Periodic\n2\n";
+    const std::size_t at = text.find(section);
+    REQUIRE(at != std::string::npos);
+    // A point and a curve whose nodes the file does not have, before those of the parts.
+    text.replace(at, section.size(), "$Periodic\n4\n0 1 2\n1\n900001 900002\n1 8 9\n1\n900001 900002\n");
+    const Result<Mesh> read = readMsh(sourceOf(text));
+    REQUIRE(read);
+    CHECK(read->periodic.size() == 2);
+}
+
+TEST_CASE("periodic parts: those of a mesh are left out beside what excludes them, those asked for are kept") {
+    MeshingJob job = cell();
+    const std::vector<PeriodicSpec> ofMesh{{4, 2}};
+    CHECK(leaveOutExcludedPeriodic(job, ofMesh).empty());
+    job.options.leastAngle = 25.0;
+    CHECK(leaveOutExcludedPeriodic(job, ofMesh).size() == 1);
+    CHECK(job.periodic == std::vector<PeriodicSpec>{{1, 3}});
+}
+
+TEST_CASE("periodic parts: a mesh becomes a domain with those that bound it") {
+    Mesh mesh = meshed(cell()).mesh;
+    Result<MeshDomain> outline = domainOfMesh(mesh);
+    REQUIRE(outline);
+    CHECK(outline->periodic.size() == 2);
+    CHECK(outline->cracks.empty());
+    mesh.periodic[0].to = 77; // no part of the boundary
+    outline = domainOfMesh(mesh);
+    REQUIRE(outline);
+    CHECK(outline->periodic.size() == 1);
 }
 
 TEST_CASE("Project: periodic parts are kept, and given to the job where both exist") {

@@ -313,7 +313,8 @@ TEST_CASE(
             mesh.elements.push_back({node(3 * i), node(3 * i + 1), node(3 * i + 2)});
             mesh.nodes.insert(mesh.nodes.end(), triangles[i].begin(), triangles[i].end());
         }
-        const Codes found = codes(verify(mesh));
+        Codes found = codes(verify(mesh));
+        found.erase("open-line"); // a note: sides that coincide without common nodes
         CHECK((found.count("overlapping") == 1) == overlap);
         if (!overlap) {
             CHECK(found == (hang ? Codes{"hanging-node"} : Codes{}));

@@ -285,16 +285,16 @@ TEST_CASE("verify cells: meshes are compared with the domain that they cover") {
                              samples::bent(samples::secondOrderSample(), 0.1)}) {
         const auto domain = domainOfMesh(mesh);
         REQUIRE(domain.ok());
-        const Diagnostics faults = verifyAgainst(mesh, *domain);
+        const Diagnostics faults = verifyAgainst(mesh, domain->domain);
         CHECK_MESSAGE(faults.empty(), samples::list(faults));
-        const Diagnostics ofTurned = verifyAgainst(turned(mesh), *domain);
+        const Diagnostics ofTurned = verifyAgainst(turned(mesh), domain->domain);
         CHECK_MESSAGE(samples::codes(ofTurned) == Codes{"clockwise"}, samples::list(ofTurned));
         Mesh other = mesh;
         other.blocks[0].regions[0] = 77;
-        CHECK(hasFault(verifyAgainst(other, *domain), "wrong-region"));
+        CHECK(hasFault(verifyAgainst(other, domain->domain), "wrong-region"));
         other = mesh;
         other.edges[0].tag = 77;
-        CHECK(hasFault(verifyAgainst(other, *domain), "wrong-tag"));
+        CHECK(hasFault(verifyAgainst(other, domain->domain), "wrong-tag"));
     }
 }
 
@@ -302,17 +302,17 @@ TEST_CASE("verify cells: middle nodes must lie on the segments of the domain or 
     Mesh mesh = samples::secondOrderSample();
     const auto straight = domainOfMesh(mesh);
     REQUIRE(straight.ok());
-    CHECK(straight->curves.empty());
+    CHECK(straight->domain.curves.empty());
     mesh.nodes[index(mesh.edges[0].middle)].y -= 0.02; // the bottom bulges outwards
-    CHECK(samples::codes(verifyAgainst(mesh, *straight)) == Codes{"middle-node"});
+    CHECK(samples::codes(verifyAgainst(mesh, straight->domain)) == Codes{"middle-node"});
     const auto curved = domainOfMesh(mesh);
     REQUIRE(curved.ok());
-    CHECK(curved->curves.size() == 1);
-    CHECK(verifyAgainst(mesh, *curved).empty());
+    CHECK(curved->domain.curves.size() == 1);
+    CHECK(verifyAgainst(mesh, curved->domain).empty());
     mesh.nodes[index(mesh.edges[0].middle)].y += 0.02; // on the chord again
-    CHECK(verifyAgainst(mesh, *curved).empty());
+    CHECK(verifyAgainst(mesh, curved->domain).empty());
     mesh.nodes[index(mesh.edges[0].middle)].y -= 0.01;
-    CHECK(samples::codes(verifyAgainst(mesh, *curved)) == Codes{"middle-node"});
+    CHECK(samples::codes(verifyAgainst(mesh, curved->domain)) == Codes{"middle-node"});
 }
 
 TEST_CASE("domainOfMesh: edges of 3 nodes follow the parabola through their middle") {
@@ -320,8 +320,8 @@ TEST_CASE("domainOfMesh: edges of 3 nodes follow the parabola through their midd
     const auto domain = domainOfMesh(mesh);
     REQUIRE(domain.ok());
     std::size_t checked = 0;
-    for (const DomainSegment &segment : domain->segments) {
-        const Vec2 a = domain->nodes[segment.a], b = domain->nodes[segment.b];
+    for (const DomainSegment &segment : domain->domain.segments) {
+        const Vec2 a = domain->domain.nodes[segment.a], b = domain->domain.nodes[segment.b];
         const auto edge = std::find_if(mesh.edges.begin(), mesh.edges.end(), [&](const TaggedEdge &tagged) {
             const Vec2 from = mesh.nodes[index(tagged.a)], to = mesh.nodes[index(tagged.b)];
             return (from == a && to == b) || (from == b && to == a);
@@ -329,21 +329,21 @@ TEST_CASE("domainOfMesh: edges of 3 nodes follow the parabola through their midd
         REQUIRE(edge != mesh.edges.end());
         CHECK(edge->tag == segment.tag);
         if (segment.stretch.follows()) {
-            const Curve &curve = domain->curves[segment.stretch.curve];
+            const Curve &curve = domain->domain.curves[segment.stretch.curve];
             CHECK(distance(curve.point(segment.stretch.t0), a) < 1e-15);
             CHECK(distance(curve.point(segment.stretch.t1), b) < 1e-15);
             CHECK(distance(curve.point(0.5), mesh.nodes[index(edge->middle)]) < 1e-15);
             ++checked;
         }
     }
-    CHECK(checked == domain->curves.size());
+    CHECK(checked == domain->domain.curves.size());
     CHECK(checked == mesh.edges.size());
-    CHECK(domain->regionMarkers.size() == 2);
+    CHECK(domain->domain.regionMarkers.size() == 2);
     // The same without tags: outer edges and the interface take the middle nodes of their elements.
     Mesh untagged = mesh;
     untagged.edges.clear();
     const auto plain = domainOfMesh(untagged);
     REQUIRE(plain.ok());
-    CHECK(plain->curves.size() == domain->curves.size());
-    CHECK(plain->segments.size() == domain->segments.size());
+    CHECK(plain->domain.curves.size() == domain->domain.curves.size());
+    CHECK(plain->domain.segments.size() == domain->domain.segments.size());
 }

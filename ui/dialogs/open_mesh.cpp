@@ -107,14 +107,18 @@ OpenedMesh evaluate(MeshFields read, Diagnostics notes, const Progress &progress
     OpenedMesh opened;
     opened.mesh = takeMesh(std::move(read));
     // Without a policy, get() does the work if the system refuses another thread.
-    std::future<Result<Domain>> found =
+    std::future<Result<MeshDomain>> found =
         std::async([&view = *opened.mesh.view, &progress] { return domainOfMesh(view.view(), progress); });
     measureMesh(opened.mesh);
-    const Result<Domain> outline = found.get();
+    const Result<MeshDomain> outline = found.get();
     if (!outline) {
         notes.insert(notes.end(), outline.faults().begin(), outline.faults().end());
     }
-    opened.outline = std::make_shared<const Document>(outline ? fromDomain(*outline) : Document());
+    Document drawing = outline ? fromDomain(outline->domain) : Document();
+    if (outline) {
+        drawing.cracks = outline->cracks;
+    }
+    opened.outline = std::make_shared<const Document>(std::move(drawing));
     opened.notes = std::move(notes);
     return opened;
 }

@@ -223,7 +223,7 @@ py::list regionList(const PythonDomain &self) {
 
 py::tuple repairDomain(const PythonDomain &self, double tolerance) {
     const Domain domain = self.domain; // another thread may change it meanwhile
-    PythonDomain result{{}, self.spacing, self.options};
+    PythonDomain result = self;
     Repaired repaired = valueOrRaise(withoutGil([&] { return repair(domain, tolerance); }));
     carryElements(domain, repaired, result.spacing);
     result.domain = std::move(repaired.domain);

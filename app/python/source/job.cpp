@@ -163,6 +163,9 @@ void bindJob(py::module_ &module) {
 
 MeshingJob jobOf(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces, const MeshingOptions &options) {
     MeshingJob job{domain.domain, domain.spacing, options};
+    job.cracks = domain.cracks;
+    job.periodic = domain.periodic;
+    job.mapped = domain.mapped;
     SpacingSpec &spacing = job.spacing;
     if (replaces) {
         spacing.replaceRules(sizes);

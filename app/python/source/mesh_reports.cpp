@@ -80,8 +80,9 @@ py::list checkMesh(const PythonMesh &self, const PythonDomain *checked, const st
     const std::optional<PythonDomain> domain = checked != nullptr ? std::optional(*checked) : std::nullopt;
     const MeshLimits limits = limitsOf(given);
     return faultList(withoutGil([&] {
-        Diagnostics faults =
-            domain ? verifyAgainst(*self.mesh, domain->domain, domain->spacing.placed.counts()) : verify(*self.mesh);
+        Diagnostics faults = domain ? verifyAgainst(*self.mesh, domain->domain, domain->spacing.placed.counts(),
+                                                    kMaxListedFaults, {}, true, domain->cracks)
+                                    : verify(*self.mesh);
         if (hasErrors(faults)) {
             return faults;
         }

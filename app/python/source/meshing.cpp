@@ -11,6 +11,7 @@
 #include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/triangulated.hpp"
+#include "core/engine/pipeline/optional_periodic.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/platform/process.hpp"
 
@@ -27,12 +28,14 @@ namespace {
 
 PythonMesh meshDomainOf(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces,
                         const MeshingOptions &options, const py::object &callback) {
-    const MeshingJob job = jobOf(domain, sizes, replaces, options);
+    MeshingJob job = jobOf(domain, sizes, replaces, options);
+    const Diagnostics leftOut = domain.fromMesh ? leaveOutExcludedPeriodic(job, domain.periodic) : Diagnostics();
     const Progress progress = progressOf(callback);
     MeshingOutcome outcome = valueOrRaise(withoutGil([&] { return meshDomain(job, progress); }));
     MadeBy made{outcome.work,    outcome.quads,          options.leastAngle,  outcome.leastAngle,     options.elements,
                 options.improve, outcome.secondsPrepare, outcome.secondsMesh, outcome.secondsImprove, peakMemory()};
     Diagnostics notes = outcome.spacing->notes();
+    notes.insert(notes.end(), leftOut.begin(), leftOut.end());
     const Diagnostics large = largeElements(outcome.mesh, job.domain, job.spacing.placed.regions);
     notes.insert(notes.end(), large.begin(), large.end());
     const Diagnostics forced = forcedAngles(outcome.leastAngle);
@@ -128,8 +131,14 @@ py::tuple adapt(const PythonMesh &self, const PythonDomain *domain, const py::ob
     if (domain != nullptr) {
         job.domain = domain->domain;
         job.spacing = domain->spacing;
+        job.cracks = domain->cracks;
+        job.periodic = domain->periodic;
+        job.mapped = domain->mapped;
     } else {
-        job.domain = valueOrRaise(outlineOf(*self.mesh));
+        MeshDomain outline = valueOrRaise(outlineOf(*self.mesh));
+        job.domain = std::move(outline.domain);
+        job.cracks = std::move(outline.cracks);
+        job.periodic = std::move(outline.periodic);
     }
     TriMesh triangles = triangulated(*self.mesh).mesh;
     if (py::isinstance<py::str>(values) || PyCallable_Check(values.ptr()) != 0) {
@@ -155,7 +164,9 @@ void bindMeshing(py::module_ &module) {
     });
     module.def("adapt", &adapt);
     module.def("outline", [](const PythonMesh &self) {
-        return PythonDomain{valueOrRaise(withoutGil([&] { return outlineOf(*self.mesh); })), {}, {}};
+        MeshDomain outline = valueOrRaise(withoutGil([&] { return outlineOf(*self.mesh); }));
+        return PythonDomain{std::move(outline.domain),   {}, {},  std::move(outline.cracks),
+                            std::move(outline.periodic), {}, true};
     });
 }
 

@@ -93,11 +93,15 @@ Result<PythonDomain> readDomainFile(const PythonFile &file, ImportNotes &notes) 
             return document.faults();
         }
         MeshingJob job = forefront::jobOf(*document);
-        return PythonDomain{std::move(job.domain), std::move(job.spacing), job.options};
+        return PythonDomain{std::move(job.domain),   std::move(job.spacing), job.options, std::move(job.cracks),
+                            std::move(job.periodic), std::move(job.mapped),  false};
     }
     Result<DomainFile> read = allFormats().readDomain(file.path, file.options, &notes);
-    return read ? Result<PythonDomain>(PythonDomain{std::move(read->domain), std::move(read->spacing), {}})
-                : read.faults();
+    if (!read) {
+        return read.faults();
+    }
+    return PythonDomain{std::move(read->domain),   std::move(read->spacing), {},  std::move(read->cracks),
+                        std::move(read->periodic), std::move(read->mapped),  true};
 }
 
 py::tuple readDomainOf(const py::object &source, const std::string &format, const py::dict &given) {

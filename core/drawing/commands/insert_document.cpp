@@ -137,6 +137,7 @@ Document inserted(const Document &document, const Document &other, double scale,
     });
     for (const MappedSpec &spec : other.mapped) {
         const bool taken =
+            (spec.region == 1 && !document.shapes.empty()) || // faces without a marker
             std::ranges::any_of(document.mapped, [&](const auto &own) { return own.region == spec.region; }) ||
             std::ranges::any_of(document.regionMarkers, [&](const auto &own) { return own.tag == spec.region; });
         if (!taken) {

@@ -312,6 +312,12 @@ Result<Document> transformSelection(const Document &document, const Selection &s
             next.regionMarkers[k].at = map(next.regionMarkers[k].at);
         }
     }
+    if (std::all_of(next.shapes.begin(), next.shapes.end(),
+                    [&](const auto &shape) { return selection.shapes.contains(shape->id); })) {
+        for (MappedSpec &spec : next.mapped) { // their corners are places, which the whole drawing takes along
+            std::transform(spec.corners.begin(), spec.corners.end(), spec.corners.begin(), map);
+        }
+    }
     mapConstraints(next, selection.shapes, map);
     if (map.isTranslation()) {
         moveFormulas(next, selection, map.shift);

@@ -1,6 +1,7 @@
 #include "core/drawing_files/project/project_cracks.hpp"
 
-#include <algorithm>
+#include <cstdint>
+#include <set>
 #include <string>
 
 namespace forefront {
@@ -19,6 +20,7 @@ void readCracks(const JsonValue &root, Document &document, JsonCheck &check) {
     if (!list || !check.expect(*list, JsonKind::Array, "\"cracks\"")) {
         return;
     }
+    std::set<std::int32_t> seen;
     for (const JsonValue item : *list) {
         if (check.full()) {
             return;
@@ -28,7 +30,7 @@ void readCracks(const JsonValue &root, Document &document, JsonCheck &check) {
         if (check.faults().size() != before) {
             continue;
         }
-        if (std::find(document.cracks.begin(), document.cracks.end(), tag) != document.cracks.end()) {
+        if (!seen.insert(tag).second) {
             check.fault(item, "bad-tag", "tag " + std::to_string(tag) + " is a crack twice; expected each tag once");
             return;
         }

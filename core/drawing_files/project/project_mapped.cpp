@@ -1,7 +1,9 @@
 #include "core/drawing_files/project/project_mapped.hpp"
 
-#include <algorithm>
+#include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace forefront {
 
@@ -33,6 +35,7 @@ void readMapped(const JsonValue &root, Document &document, JsonCheck &check) {
     if (!list || !check.expect(*list, JsonKind::Array, "\"mapped\"")) {
         return;
     }
+    std::set<std::int32_t> seen;
     for (const JsonValue item : *list) {
         if (check.full()) {
             return;
@@ -52,8 +55,7 @@ void readMapped(const JsonValue &root, Document &document, JsonCheck &check) {
         if (check.faults().size() != before) {
             continue;
         }
-        if (std::any_of(document.mapped.begin(), document.mapped.end(),
-                        [&](const MappedSpec &other) { return other.region == spec.region; })) {
+        if (!seen.insert(spec.region).second) {
             check.fault(item, "bad-tag",
                         "region " + std::to_string(spec.region) + " is mapped twice; expected each region once");
             return;

@@ -55,6 +55,8 @@ Diagnostics remesh(AdaptOutcome &outcome, const MeshingJob &given, const TriMesh
     spacing->placed = given.spacing.placed;
     MeshingJob job{given.domain, std::move(*spacing), given.options};
     job.cracks = given.cracks;
+    job.periodic = given.periodic;
+    job.mapped = given.mapped;
     Result<MeshingOutcome> next = meshDomain(job, progress);
     if (!next) {
         return next.faults();

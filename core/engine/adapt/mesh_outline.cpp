@@ -1,7 +1,6 @@
 #include "core/engine/adapt/mesh_outline.hpp"
 
 #include "core/engine/base/ids.hpp"
-#include "core/engine/mesh/mesh_domain.hpp"
 
 #include <array>
 #include <cmath>
@@ -112,12 +111,12 @@ Domain withoutStraightNodes(const Domain &domain) {
     return StraightRuns(domain).run();
 }
 
-Result<Domain> outlineOf(const MeshView &mesh, const Progress &progress, std::vector<OpenLine> *cracks) {
-    const Result<Domain> domain = domainOfMesh(mesh, progress, cracks);
-    if (!domain) {
-        return domain.faults();
+Result<MeshDomain> outlineOf(const MeshView &mesh, const Progress &progress) {
+    Result<MeshDomain> made = domainOfMesh(mesh, progress);
+    if (made) {
+        made->domain = withoutStraightNodes(made->domain);
     }
-    return withoutStraightNodes(*domain);
+    return made;
 }
 
 } // namespace forefront

@@ -1,11 +1,13 @@
 #include "core/engine/mapped/mapped_counts.hpp"
 
+#include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/curve_chains.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -13,6 +15,8 @@
 namespace forefront {
 
 namespace {
+
+constexpr double kMaxOfCurve = 10'000'000; ///< elements
 
 /// Lines and parts of curves that are divided as one, with the numbers of their elements.
 class DividedLines {
@@ -124,8 +128,10 @@ Diagnostics unequal(const Domain &domain, const CountedSide &fewer, std::uint64_
     return faults;
 }
 
-/// Raises numbers until opposite sides are equal.
-Status equalise(const Domain &domain, DividedLines &lines, std::span<const MappedFace> faces) {
+/// Raises numbers until opposite sides are equal, or one of them has more than the limit.
+Status equalise(const MappedDivision &division, DividedLines &lines, const Progress &progress) {
+    const Domain &domain = division.domain;
+    const std::span<const MappedFace> faces = division.faces;
     const std::vector<std::array<CountedSide, 2>> pairs = oppositeSides(lines, faces);
     std::uint64_t total = 0, raised = 0;
     for (const auto &pair : pairs) {
@@ -140,6 +146,12 @@ Status equalise(const Domain &domain, DividedLines &lines, std::span<const Mappe
                 const std::uint64_t p = sumOf(lines, pair[0]), q = sumOf(lines, pair[1]);
                 if (p == q) {
                     break;
+                }
+                if (static_cast<double>(std::max(p, q)) > division.maxElements) {
+                    return {};
+                }
+                if (progress.cancelled()) {
+                    return cancelled("filling mapped faces");
                 }
                 again = true;
                 const CountedSide &fewer = pair[p < q ? 0 : 1];
@@ -161,7 +173,8 @@ Status equalise(const Domain &domain, DividedLines &lines, std::span<const Mappe
 
 namespace {
 
-/// Makes a chain a curve of its own, and returns the number of the whole curve that gives the chain `count` elements.
+/// Makes a chain a curve of its own, and returns the number of the whole curve that gives the chain `count` elements; 0
+/// if it would be above kMaxOfCurve.
 std::uint32_t numberOfOwnCurve(Domain &domain, const CurveChain &chain, std::uint32_t count) {
     const auto own = static_cast<std::uint32_t>(domain.curves.size());
     domain.curves.push_back(Curve(domain.curves[chain.curve]));
@@ -170,24 +183,49 @@ std::uint32_t numberOfOwnCurve(Domain &domain, const CurveChain &chain, std::uin
     }
     CurveChain alone = chain;
     alone.curve = own;
-    // The share of the chain changes by one at most from number to number, so that no count is passed over.
+    // The share of the chain is the difference of two rounded numbers: it is less than one above the exact share, and
+    // changes by one at most from number to number, so that no count is passed over.
+    const Curve &curve = domain.curves[own];
+    const double part = curve.length(chain.t0, chain.t1) / curve.length(0.0, 1.0);
+    const double first = std::max<double>(count, std::floor((count - 1.0) / part)), last = first + 3.0 / part + 3.0;
+    if (!(last <= kMaxOfCurve)) {
+        return 0;
+    }
     std::vector<std::uint32_t> elements(domain.segments.size(), 0);
-    for (std::uint32_t whole = count;; ++whole) {
+    for (auto whole = static_cast<std::uint32_t>(first); whole <= last; ++whole) {
         elements[chain.segments.front()] = whole;
         if (elementsAlong(domain, alone, elements) >= count) {
             return whole;
         }
     }
+    return 0;
+}
+
+/// Counts the cells of all faces.
+void countCells(const DividedLines &lines, std::span<const MappedFace> faces, MappedNumbers &numbers) {
+    for (const MappedFace &face : faces) {
+        const auto sum = [&](std::size_t k) {
+            return static_cast<double>(sumOf(lines, countedSide(lines, face.sides[k])));
+        };
+        const double across = sum(1);
+        numbers.cells += std::max(sum(0), sum(2)) * (face.sides.size() == 3 ? across : std::max(across, sum(3)));
+        numbers.corners += face.sides.size() == 3 ? across : 0.0;
+    }
 }
 
 } // namespace
 
-Result<MappedNumbers> equalNumbers(const MappedDivision &division, const DiscreteDomain &boundary) {
+Result<MappedNumbers> equalNumbers(const MappedDivision &division, const DiscreteDomain &boundary,
+                                   const Progress &progress) {
     DividedLines lines(division, boundary);
-    if (Status faults = equalise(division.domain, lines, division.faces); !faults.empty()) {
+    if (Status faults = equalise(division, lines, progress); !faults.empty()) {
         return faults;
     }
     MappedNumbers numbers{division.domain, {}, {}, lines.changed()};
+    countCells(lines, division.faces, numbers);
+    if (numbers.cells > division.maxElements) {
+        return numbers;
+    }
     numbers.elements.resize(division.domain.segments.size());
     for (std::uint32_t s = 0; s < numbers.elements.size(); ++s) {
         numbers.elements[s] = division.given[s];
@@ -213,6 +251,15 @@ Result<MappedNumbers> equalNumbers(const MappedDivision &division, const Discret
         }
         const std::uint32_t count = numbers.elements[chain.segments.front()];
         const std::uint32_t whole = numberOfOwnCurve(numbers.domain, chain, count);
+        if (whole == 0) {
+            Diagnostics faults = error("mapped-sides",
+                                       "a side of a mapped face is a part of a curve so short that the whole curve "
+                                       "would have more than " +
+                                           numberText(kMaxOfCurve, 9) + " elements",
+                                       "make the part a curve of its own");
+            faults.front().at = division.domain.nodes[chain.start];
+            return faults;
+        }
         for (const std::uint32_t s : chain.segments) {
             numbers.elements[s] = whole;
         }

@@ -34,12 +34,31 @@ struct FaceOutline {
     std::vector<std::uint32_t> segments; ///< from each node to the next
 };
 
+/// What bounds and lies in each face of a domain.
+struct PartsOfFaces {
+    PartsOfFaces(const Domain &domain, const DomainFaces &faces) : segments(faces.faces.count) {
+        for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
+            const std::uint32_t left = faces.faces.left[s], right = faces.faces.right[s];
+            segments[left].push_back(s);
+            if (right != left) {
+                segments[right].push_back(s);
+            }
+        }
+        for (const ConstraintPoint &point : domain.points) {
+            points.emplace(faces.faces.ofPoint[point.node], point.node);
+        }
+    }
+
+    std::vector<std::vector<std::uint32_t>> segments; ///< ascending
+    std::map<std::uint32_t, std::uint32_t> points;    ///< by face: the first point in it
+};
+
 /// Finds the outline and the corners of one face.
 class MappedSearch {
   public:
-    MappedSearch(const Domain &domain, const DomainFaces &faces, const std::vector<bool> &insideCurves,
-                 const MappedSpec &spec)
-        : domain_(domain), faces_(faces), insideCurves_(insideCurves), spec_(spec),
+    MappedSearch(const Domain &domain, const DomainFaces &faces, const PartsOfFaces &parts,
+                 const std::vector<bool> &insideCurves, const MappedSpec &spec)
+        : domain_(domain), faces_(faces), parts_(parts), insideCurves_(insideCurves), spec_(spec),
           name_(regionName(domain.regionNames, spec.region)) {}
 
     /// `used` receives the given corners that are nodes of the face.
@@ -75,20 +94,20 @@ class MappedSearch {
 
     Status findOutline(std::uint32_t face, FaceOutline &outline) const {
         std::map<std::uint32_t, std::uint32_t> leaving; // segment by the node that it leaves
-        for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
+        for (const std::uint32_t s : parts_.segments[face]) {
             const bool left = faces_.faces.left[s] == face, right = faces_.faces.right[s] == face;
             if (left && right) {
                 return fault("mapped-outline", "a line lies inside; expected an empty face",
                              "end the face at the line, or remove the line", middleOf(s));
             }
-            if ((left || right) && !leaving.emplace(left ? domain_.segments[s].a : domain_.segments[s].b, s).second) {
+            if (!leaving.emplace(left ? domain_.segments[s].a : domain_.segments[s].b, s).second) {
                 return fault("mapped-outline", "its outline touches itself", "move the parts of the outline apart",
                              middleOf(s));
             }
         }
-        for (const std::uint32_t point : pointsIn(face)) {
+        if (const auto point = parts_.points.find(face); point != parts_.points.end()) {
             return fault("mapped-outline", "a point lies inside; expected an empty face", "remove the point",
-                         domain_.nodes[point]);
+                         domain_.nodes[point->second]);
         }
         std::uint32_t node = leaving.begin()->first;
         do {
@@ -97,23 +116,17 @@ class MappedSearch {
             outline.segments.push_back(s);
             node = domain_.segments[s].a == node ? domain_.segments[s].b : domain_.segments[s].a;
         } while (node != outline.nodes.front());
+        if (outline.nodes.size() == leaving.size()) {
+            return {};
+        }
+        const std::set<std::uint32_t> around(outline.segments.begin(), outline.segments.end());
         for (const auto &[start, s] : leaving) {
-            if (outline.nodes.size() != leaving.size() &&
-                std::find(outline.segments.begin(), outline.segments.end(), s) == outline.segments.end()) {
+            if (!around.contains(s)) {
                 return fault("mapped-outline", "it has a hole; expected one outline",
                              "divide the region into faces without holes", middleOf(s));
             }
         }
         return {};
-    }
-    std::vector<std::uint32_t> pointsIn(std::uint32_t face) const {
-        std::vector<std::uint32_t> found;
-        for (const ConstraintPoint &point : domain_.points) {
-            if (faces_.faces.ofPoint[point.node] == face) {
-                found.push_back(point.node);
-            }
-        }
-        return found;
     }
 
     /// Returns the interior angle at a place of the outline, degrees.
@@ -126,6 +139,9 @@ class MappedSearch {
     Status sharpest(const FaceOutline &outline, std::vector<std::size_t> &corners) const {
         std::vector<std::pair<double, std::size_t>> found;
         for (std::size_t k = 0; k < outline.nodes.size(); ++k) {
+            if (insideCurves_[outline.nodes[k]]) {
+                continue; // the angle between chords is none of the outline
+            }
             if (const double angle = angleAt(outline, k); angle < kCornerBelow) {
                 found.emplace_back(angle, k);
             }
@@ -193,6 +209,7 @@ class MappedSearch {
 
     const Domain &domain_;
     const DomainFaces &faces_;
+    const PartsOfFaces &parts_;
     const std::vector<bool> &insideCurves_;
     const MappedSpec &spec_;
     std::string name_;
@@ -216,6 +233,7 @@ std::vector<bool> nodesInsideCurves(const Domain &domain) {
 Result<std::vector<MappedFace>> findMappedFaces(std::span<const MappedSpec> specs, const Domain &domain,
                                                 const DomainFaces &faces) {
     const std::vector<bool> insideCurves = nodesInsideCurves(domain);
+    const PartsOfFaces parts(domain, faces);
     std::vector<MappedFace> found;
     std::set<std::int32_t> seen;
     for (const MappedSpec &spec : specs) {
@@ -225,7 +243,7 @@ Result<std::vector<MappedFace>> findMappedFaces(std::span<const MappedSpec> spec
         }
         const std::size_t before = found.size();
         std::set<std::size_t> used;
-        MappedSearch search(domain, faces, insideCurves, spec);
+        MappedSearch search(domain, faces, parts, insideCurves, spec);
         std::uint32_t region = 0;
         for (std::uint32_t face = 0; face < faces.faces.count; ++face) {
             if (faces.labels.inside[face] == 0) {

@@ -1,5 +1,6 @@
 #include "core/engine/mapped/mapped_rows.hpp"
 
+#include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/geometry/polygon.hpp"
@@ -73,8 +74,8 @@ class RowOutlines {
 /// Fills faces one after the other.
 class RowBuilder {
   public:
-    RowBuilder(const DiscreteDomain &boundary, BoundaryLayers &rows, bool quads)
-        : boundary_(boundary), rows_(rows), quads_(quads) {}
+    RowBuilder(const DiscreteDomain &boundary, BoundaryLayers &rows, bool quads, const Progress &progress)
+        : boundary_(boundary), rows_(rows), quads_(quads), progress_(progress) {}
 
     Status fill(const MappedFace &face, const RowOutline &outline) {
         const auto count = [&](std::size_t k) { return outline.corners[k + 1] - outline.corners[k]; };
@@ -100,7 +101,11 @@ class RowBuilder {
             set(i, across, around(outline.corners[2] + along - i));
         }
         grid.interpolate();
-        if (grid.invertedCell(!quads_) && !grid.smoothUntilValid(!quads_)) {
+        const bool valid = !grid.invertedCell(!quads_) || grid.smoothUntilValid(!quads_, progress_);
+        if (progress_.cancelled()) {
+            return cancelled("filling mapped faces");
+        }
+        if (!valid) {
             return fault("mapped-inverted", "an element of a mapped face would be inverted",
                          "choose other corners, or divide the face into parts with less bent sides",
                          grid.cellCentre(*grid.invertedCell(!quads_)));
@@ -149,6 +154,7 @@ class RowBuilder {
     const DiscreteDomain &boundary_;
     BoundaryLayers &rows_;
     bool quads_;
+    const Progress &progress_;
     std::size_t columns_ = 0;
     std::vector<std::uint32_t> ids_; ///< nodes of the grid of the face
 };
@@ -203,12 +209,13 @@ TriMesh nodesOf(const DiscreteDomain &boundary) {
 }
 
 Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const MappedFace> faces,
-                                  const DiscreteDomain &boundary, bool quads) {
+                                  const DiscreteDomain &boundary, bool quads, const Progress &progress) {
     BoundaryLayers rows;
     const RowOutlines outlines(domain, faces, boundary);
-    RowBuilder builder(boundary, rows, quads);
+    RowBuilder builder(boundary, rows, quads, progress);
     std::vector<RowOutline> around;
     for (std::size_t f = 0; f < faces.size(); ++f) {
+        progress("filling mapped faces", static_cast<double>(f) / static_cast<double>(faces.size()));
         around.push_back(outlines.of(f, faces[f]));
         if (Status faults = builder.fill(faces[f], around.back()); !faults.empty()) {
             return faults;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/layers/boundary_layers.hpp"
 #include "core/engine/mapped/mapped_faces.hpp"
@@ -18,9 +19,9 @@ namespace forefront {
 /// with the larger least angle.
 ///
 /// `boundary`: discretised with equal numbers of edges on opposite sides. Errors: mapped-sides (the numbers differ),
-/// mapped-inverted (an element is inverted, with its place), too-many-nodes.
+/// mapped-inverted (an element is inverted, with its place), cancelled. The caller limits the number of elements.
 Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const MappedFace> faces,
-                                  const DiscreteDomain &boundary, bool quads);
+                                  const DiscreteDomain &boundary, bool quads, const Progress &progress = {});
 
 /// Returns a mesh without elements that has the nodes, curves and names of a boundary.
 TriMesh nodesOf(const DiscreteDomain &boundary);

@@ -88,10 +88,13 @@ void NodeGrid::smoothOnce() {
     }
 }
 
-bool NodeGrid::smoothUntilValid(bool triangles) {
+bool NodeGrid::smoothUntilValid(bool triangles, const Progress &progress) {
     constexpr int kRounds = 40, kSweeps = 25; // information crosses a cell per sweep
     for (int round = 0; round < kRounds; ++round) {
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
+            if (progress.cancelled()) {
+                return false;
+            }
             smoothOnce();
         }
         if (!invertedCell(triangles)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/base/progress.hpp"
 #include "core/engine/base/vec2.hpp"
 
 #include <array>
@@ -33,8 +34,8 @@ class NodeGrid {
     Vec2 cellCentre(Cell cell) const;
 
     /// Moves the inner places towards a solution of Winslow's equations until no cell is inverted. Returns false if one
-    /// remains.
-    bool smoothUntilValid(bool triangles);
+    /// remains, or once cancelled.
+    bool smoothUntilValid(bool triangles, const Progress &progress = {});
 
     /// Returns true if the diagonal from (i, j) divides a cell into the better triangles, by their least angle.
     bool firstDiagonal(std::size_t i, std::size_t j) const;

@@ -1,6 +1,8 @@
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/unused_tag.hpp"
 #include "core/engine/mesh/crack_sectors.hpp"
 #include "core/engine/mesh/cracks.hpp"
+#include "core/engine/mesh/open_lines.hpp"
 
 #include <algorithm>
 #include <map>
@@ -19,10 +21,10 @@ struct FacingSides {
     HalfEdge first, second; ///< the first one has the lower number
 };
 
-/// Finds the facing sides of a mesh and what their edges are tagged with.
+/// Finds the facing sides of a mesh and what their edges are tagged with. Refers to its parts.
 class OpenEdges {
   public:
-    explicit OpenEdges(const MeshView &mesh) : mesh_(mesh), table_(mesh), sides_(table_.halfEdges()) {
+    OpenEdges(const MeshView &mesh, const EdgeTable &table) : mesh_(mesh), table_(table), sides_(table.halfEdges()) {
         std::vector<HalfEdge> boundary;
         table_.forEach([&](NodeId, NodeId, std::span<const HalfEdge> sides) {
             if (sides.size() == 1) {
@@ -35,16 +37,31 @@ class OpenEdges {
 
     /// Keeps the pairs that have one of these tags, or none.
     void keepOnly(std::span<const std::int32_t> tags) {
-        std::size_t kept = 0;
-        for (std::size_t k = 0; k < pairs_.size(); ++k) {
-            const std::int32_t tag = lineOf(tags_[k]).tag;
-            if (tag == 0 || std::find(tags.begin(), tags.end(), tag) != tags.end()) {
-                pairs_[kept] = pairs_[k];
-                tags_[kept++] = tags_[k];
-            }
+        keepIf([&](std::int32_t tag) { return tag == 0 || std::find(tags.begin(), tags.end(), tag) != tags.end(); });
+    }
+    /// Keeps the pairs with tags that no edge elsewhere has.
+    void keepOwnTags() {
+        keepIf([this](std::int32_t tag) { return tag != 0 && !elsewhere_.contains(tag); });
+    }
+
+    /// Gives the lines whose tags edges elsewhere have, and those without one, unused tags. Adds their names.
+    void separateTags(std::map<std::int32_t, std::string> &names) {
+        std::set<std::int32_t> taken = elsewhere_;
+        for (const auto &[first, second] : tags_) {
+            taken.insert({first, second});
         }
-        pairs_.resize(kept);
-        tags_.resize(kept);
+        for (const TaggedNode &point : mesh_.points) {
+            taken.insert(point.tag);
+        }
+        for (const OpenLine &line : lines()) {
+            if (line.tag != 0 && !elsewhere_.contains(line.tag)) {
+                continue;
+            }
+            const std::int32_t tag = unusedTag(taken, names, TagKind::Boundary);
+            taken.insert(tag);
+            names[tag] = unusedCrackName(names);
+            ownTags_[{line.tag, line.other}] = tag;
+        }
     }
 
     const std::vector<FacingSides> &pairs() const { return pairs_; }
@@ -55,9 +72,10 @@ class OpenEdges {
         std::map<std::pair<std::int32_t, std::int32_t>, OpenLine> lines;
         for (std::size_t k = 0; k < pairs_.size(); ++k) {
             const OpenLine own = lineOf(tags_[k]);
-            OpenLine &line = lines[{own.tag, own.other}];
+            const std::int32_t tag = tagOf(k);
+            OpenLine &line = lines[{tag, own.other}];
             if (line.edges++ == 0) {
-                line.tag = own.tag;
+                line.tag = tag;
                 line.other = own.other;
                 line.at = midpoint(at(sides_.startOf(pairs_[k].first)), at(sides_.endOf(pairs_[k].first)));
             }
@@ -69,7 +87,13 @@ class OpenEdges {
         return found;
     }
     /// Returns the tag that the closed edge of a pair has; 0: none.
-    std::int32_t tagOf(std::size_t pair) const { return lineOf(tags_[pair]).tag; }
+    std::int32_t tagOf(std::size_t pair) const {
+        const OpenLine line = lineOf(tags_[pair]);
+        const auto own = ownTags_.find({line.tag, line.other});
+        return own == ownTags_.end() ? line.tag : own->second;
+    }
+    /// Returns the tag of the face of a pair whose edge stays; 0: none.
+    std::int32_t faceTagOf(std::size_t pair) const { return lineOf(tags_[pair]).tag; }
 
     /// Returns per node the one that takes its place.
     std::vector<NodeId> joinedNodes() const {
@@ -103,6 +127,32 @@ class OpenEdges {
 
   private:
     using Tags = std::pair<std::int32_t, std::int32_t>; ///< of both sides; 0: none
+
+    template <class Keeps>
+    void keepIf(const Keeps &keeps) {
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < pairs_.size(); ++k) {
+            if (keeps(lineOf(tags_[k]).tag)) {
+                pairs_[kept] = pairs_[k];
+                tags_[kept++] = tags_[k];
+            }
+        }
+        pairs_.resize(kept);
+        tags_.resize(kept);
+    }
+
+    /// Returns a name for a line such that neither it nor the name of its right face is taken.
+    static std::string unusedCrackName(const std::map<std::int32_t, std::string> &names) {
+        std::set<std::string> used;
+        for (const auto &[tag, name] : names) {
+            used.insert(name);
+        }
+        std::string name = "crack";
+        for (int number = 2; used.contains(name) || used.contains(crackFaceName(name)); ++number) {
+            name = "crack_" + std::to_string(number);
+        }
+        return name;
+    }
 
     Vec2 at(NodeId node) const { return mesh_.nodes[index(node)]; }
     /// Returns the place of the ends of a side from low to high, the same for facing sides.
@@ -140,6 +190,9 @@ class OpenEdges {
     }
 
     void findTags() {
+        if (pairs_.empty()) {
+            return;
+        }
         std::map<HalfEdge, std::int32_t *> wanted;
         tags_.resize(pairs_.size());
         for (std::size_t k = 0; k < pairs_.size(); ++k) {
@@ -147,13 +200,12 @@ class OpenEdges {
             wanted[pairs_[k].second] = &tags_[k].second;
         }
         for (const TaggedEdge &edge : mesh_.edges) {
-            if (wanted.empty()) {
-                return;
-            }
-            if (const auto sides = table_.find(edge.a, edge.b); !sides.empty()) {
-                if (const auto found = wanted.find(sides.front()); found != wanted.end()) {
-                    *found->second = edge.tag;
-                }
+            const auto sides = table_.find(edge.a, edge.b);
+            const auto found = sides.empty() ? wanted.end() : wanted.find(sides.front());
+            if (found != wanted.end()) {
+                *found->second = edge.tag;
+            } else {
+                elsewhere_.insert(edge.tag);
             }
         }
     }
@@ -170,16 +222,23 @@ class OpenEdges {
     }
 
     const MeshView &mesh_;
-    EdgeTable table_;
+    const EdgeTable &table_;
     const HalfEdges &sides_;
-    std::vector<FacingSides> pairs_; ///< by their first sides
-    std::vector<Tags> tags_;         ///< per pair
+    std::vector<FacingSides> pairs_;       ///< by their first sides
+    std::vector<Tags> tags_;               ///< per pair
+    std::set<std::int32_t> elsewhere_;     ///< tags of edges that are no side of a pair
+    std::map<Tags, std::int32_t> ownTags_; ///< new tags of lines, by their tag and that of the other face
 };
 
-/// Gives the elements, tagged edges and points of a mesh the joined nodes. Of edges that fall together, the first one
-/// with the tag in `chosen` stays.
+/// Which of the edges that fall together stays.
+struct ClosedEdge {
+    std::int32_t face = 0; ///< the first one with this tag
+    std::int32_t tag = 0;  ///< that it gets
+};
+
+/// Gives the elements, tagged edges and points of a mesh the joined nodes.
 void joinNodes(Mesh &mesh, std::span<const NodeId> joined,
-               const std::map<std::pair<NodeId, NodeId>, std::int32_t> &chosen) {
+               const std::map<std::pair<NodeId, NodeId>, ClosedEdge> &chosen) {
     for (CellBlock &block : mesh.blocks) {
         for (NodeId &node : block.connectivity()) {
             node = joined[index(node)];
@@ -195,9 +254,10 @@ void joinNodes(Mesh &mesh, std::span<const NodeId> joined,
         edge.middle = edge.middle == kNoNode ? kNoNode : joined[index(edge.middle)];
         const std::pair<NodeId, NodeId> ends = std::minmax(edge.a, edge.b);
         if (const auto own = chosen.find(ends); own != chosen.end()) {
-            if (edge.tag != own->second || !done.insert(ends).second) {
+            if (edge.tag != own->second.face || !done.insert(ends).second) {
                 continue;
             }
+            edge.tag = own->second.tag;
         }
         edges.push_back(edge);
         if (!mesh.edgeStretches.empty()) {
@@ -218,39 +278,84 @@ void joinNodes(Mesh &mesh, std::span<const NodeId> joined,
 }
 
 ClosedMesh closed(const MeshView &mesh, const OpenEdges &open) {
-    ClosedMesh result{copyOf(mesh), open.lines(), {}};
+    ClosedMesh result{copyOf(mesh), open.lines()};
     const std::vector<NodeId> joined = open.joinedNodes();
-    std::map<std::pair<NodeId, NodeId>, std::int32_t> chosen;
+    std::map<std::pair<NodeId, NodeId>, ClosedEdge> chosen;
+    std::vector<TaggedEdge> named; // of lines that had no tag
     const HalfEdges &sides = open.table().halfEdges();
     for (std::size_t k = 0; k < open.pairs().size(); ++k) {
         const HalfEdge h = open.pairs()[k].first;
         const NodeId a = joined[index(sides.startOf(h))], b = joined[index(sides.endOf(h))];
-        chosen[std::minmax(a, b)] = open.tagOf(k);
-        if (open.tagOf(k) == 0) {
+        const ClosedEdge edge{open.faceTagOf(k), open.tagOf(k)};
+        chosen[std::minmax(a, b)] = edge;
+        if (edge.face == 0 && edge.tag != 0) {
             const NodeId middle = sides.middleOf(h);
-            result.untagged.push_back({a, b, 0, middle == kNoNode ? kNoNode : joined[index(middle)]});
+            named.push_back({a, b, edge.tag, middle == kNoNode ? kNoNode : joined[index(middle)]});
         }
     }
     joinNodes(result.mesh, joined, chosen);
+    result.mesh.edges.insert(result.mesh.edges.end(), named.begin(), named.end());
+    if (!result.mesh.edgeStretches.empty()) {
+        result.mesh.edgeStretches.resize(result.mesh.edges.size());
+    }
     return result;
+}
+
+/// Drops the names of other faces that nothing has any longer.
+void dropNamesOfFaces(ClosedMesh &closed) {
+    std::set<std::int32_t> present;
+    for (const TaggedEdge &edge : closed.mesh.edges) {
+        present.insert(edge.tag);
+    }
+    for (const TaggedNode &point : closed.mesh.points) {
+        present.insert(point.tag);
+    }
+    for (const OpenLine &line : closed.lines) {
+        if (!present.contains(line.other)) {
+            closed.mesh.boundaryNames.erase(line.other);
+        }
+    }
 }
 
 } // namespace
 
 ClosedMesh closeCracks(const MeshView &mesh, std::span<const std::int32_t> only) {
-    OpenEdges open(mesh);
+    const EdgeTable table(mesh);
+    OpenEdges open(mesh, table);
     if (!only.empty()) {
         open.keepOnly(only);
     }
     return closed(mesh, open);
 }
 
+std::optional<ClosedMesh> closeOpenLines(const MeshView &mesh, OpenLineRule rule) {
+    const EdgeTable table(mesh);
+    OpenEdges open(mesh, table);
+    if (rule == OpenLineRule::OwnTags) {
+        open.keepOwnTags();
+    }
+    if (open.pairs().empty()) {
+        return std::nullopt;
+    }
+    std::map<std::int32_t, std::string> names(mesh.boundaryNames);
+    open.separateTags(names);
+    ClosedMesh result = closed(mesh, open);
+    result.mesh.boundaryNames = std::move(names);
+    dropNamesOfFaces(result);
+    return result;
+}
+
 std::vector<OpenLine> openLines(const MeshView &mesh) {
-    return OpenEdges(mesh).lines();
+    return openLines(mesh, EdgeTable(mesh));
+}
+
+std::vector<OpenLine> openLines(const MeshView &mesh, const EdgeTable &table) {
+    return OpenEdges(mesh, table).lines();
 }
 
 Diagnostics verifyCracks(const MeshView &mesh, std::span<const std::int32_t> cracks, const MeshNumbers &numbers) {
-    OpenEdges open(mesh);
+    const EdgeTable openTable(mesh);
+    OpenEdges open(mesh, openTable);
     if (!cracks.empty()) {
         open.keepOnly(cracks);
     }

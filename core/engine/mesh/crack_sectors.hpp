@@ -2,7 +2,6 @@
 
 #include "core/engine/mesh/edge_table.hpp"
 
-#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -27,19 +26,5 @@ class CrackSectors {
 
     std::vector<HalfEdge> parent_; ///< per corner; the parent has a lower number
 };
-
-/// Marks both sides of each edge of `table` for which `chosen(a, b)` is true.
-template <class Chosen>
-std::vector<bool> cutEdges(const EdgeTable &table, const Chosen &chosen) {
-    std::vector<bool> cut(table.halfEdges().count(), false);
-    table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
-        if (chosen(a, b)) {
-            for (const HalfEdge h : sides) {
-                cut[h] = true;
-            }
-        }
-    });
-    return cut;
-}
 
 } // namespace forefront

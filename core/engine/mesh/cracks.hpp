@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/mesh/mesh_numbers.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,10 +44,11 @@ std::string crackFaceName(const std::string &crack);
 /// by the lowest element, keeps the node; copies follow the other nodes, in the order of these.
 ///
 /// The tagged edges of a line get the nodes of the face on the left, seen along the first of its edges; those of the
-/// right face follow the other tagged edges, with the lowest tag above all others. Tagged points are given to all
-/// copies of their nodes. Errors, which leave the mesh as it was: crack-edge (a single edge between two tips, which
-/// cannot open, with its place), crack-name (another part has the name of a right face).
-Result<CrackReport> openCracks(Mesh &mesh, std::span<const std::int32_t> tags);
+/// right face follow the other tagged edges, with the lowest tag above all others, or the lowest unused one where there
+/// is none above. Tagged points are given to all copies of their nodes. Errors, which leave the mesh as it was:
+/// crack-outside (a line has an element on one side alone), crack-edge (a single edge between two tips, which cannot
+/// open), both with their places; crack-name (another part has the name of a right face), cancelled.
+Result<CrackReport> openCracks(Mesh &mesh, std::span<const std::int32_t> tags, const Progress &progress = {});
 
 /// A line of a mesh along which the elements on its two sides share no nodes, although their edges coincide: a crack,
 /// or parts whose nodes were not merged.
@@ -61,13 +64,24 @@ struct OpenLine {
 struct ClosedMesh {
     Mesh mesh;
     std::vector<OpenLine> lines;
-    std::vector<TaggedEdge> untagged; ///< edges of lines without a tag; their tag is 0
+};
+
+/// Which open lines of a mesh are closed where it becomes a domain.
+enum class OpenLineRule : std::uint8_t {
+    All,
+    OwnTags, ///< those with a tag that only their edges have; the others stay, so that repair() can merge their sides
 };
 
 /// Closes open lines: boundary edges of equal places, to the bit, with elements on opposite sides. Where one tag is
 /// named like the right face of the other, the other one stays, else the lower one. `only`: tags of the lines to close,
 /// and lines without tags; empty: all. Elements must be counter-clockwise and exist.
 ClosedMesh closeCracks(const MeshView &mesh, std::span<const std::int32_t> only = {});
+
+/// Closes open lines as closeCracks() does, and makes inner lines of them that can be told from other parts: one whose
+/// tag other edges have too, such as parts whose nodes were not merged, gets an unused tag, and so do lines without a
+/// tag, together. Such a tag is named "crack", or "crack_2" and so on. Names that no edge and no point has any longer
+/// are dropped. Returns nothing if no line is closed. Elements must be counter-clockwise and exist.
+std::optional<ClosedMesh> closeOpenLines(const MeshView &mesh, OpenLineRule rule = OpenLineRule::All);
 
 /// Returns the open lines of a mesh, as closeCracks() finds them.
 std::vector<OpenLine> openLines(const MeshView &mesh);

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace forefront {
 
@@ -232,64 +234,58 @@ class MeshOutline {
     Domain domain_;
 };
 
-} // namespace
-
-namespace {
-
-/// Gives the open lines without a tag one, in a closed mesh.
-void nameOpenLines(ClosedMesh &closed) {
-    if (closed.untagged.empty()) {
-        return;
+/// Returns the periodic parts of a mesh that can be so in its domain: they bound it, and no crack touches them.
+std::vector<PeriodicSpec> periodicParts(const MeshView &mesh, const MeshDomain &made) {
+    if (mesh.periodic.empty()) {
+        return {};
     }
-    Mesh &mesh = closed.mesh;
-    std::set<std::int32_t> taken;
-    bool known = false;
-    for (const TaggedEdge &edge : mesh.edges) {
-        taken.insert(edge.tag);
-    }
-    for (const TaggedNode &point : mesh.points) {
-        taken.insert(point.tag);
-    }
-    for (const auto &[tag, name] : mesh.boundaryNames) {
-        known = known || name == "crack";
-    }
-    const std::int32_t tag = unusedTag(taken, mesh.boundaryNames, TagKind::Boundary);
-    if (!known) {
-        mesh.boundaryNames[tag] = "crack";
-    }
-    for (TaggedEdge edge : closed.untagged) {
-        edge.tag = tag;
-        mesh.edges.push_back(edge);
-        if (!mesh.edgeStretches.empty()) {
-            mesh.edgeStretches.emplace_back();
+    std::set<std::int32_t> outer, inner;
+    std::set<std::uint32_t> cracked; // nodes
+    for (const DomainSegment &segment : made.domain.segments) {
+        (segment.role == SegmentRole::Boundary ? outer : inner).insert(segment.tag);
+        if (std::binary_search(made.cracks.begin(), made.cracks.end(), segment.tag)) {
+            cracked.insert({segment.a, segment.b});
         }
     }
-    for (OpenLine &line : closed.lines) {
-        line.tag = line.tag == 0 ? tag : line.tag;
+    for (const DomainSegment &segment : made.domain.segments) {
+        if (cracked.contains(segment.a) || cracked.contains(segment.b)) {
+            inner.insert(segment.tag);
+        }
     }
+    const auto fits = [&](std::int32_t tag) { return outer.contains(tag) && !inner.contains(tag); };
+    std::vector<PeriodicSpec> parts;
+    for (const PeriodicLink &link : mesh.periodic) {
+        if (fits(link.from) && fits(link.to)) {
+            parts.push_back({link.from, link.to});
+        }
+    }
+    return parts;
 }
 
 } // namespace
 
-Result<Domain> domainOfMesh(const MeshView &mesh, const Progress &progress, std::vector<OpenLine> *cracks) {
+Result<MeshDomain> domainOfMesh(const MeshView &mesh, const Progress &progress, OpenLineRule rule) {
     if (mesh.elementCount() == 0 && mesh.edges.empty()) {
         return error("empty-domain", "the mesh has neither elements nor lines that could bound a domain");
     }
-    if (mesh.elementCount() == 0 || openLines(mesh).empty()) {
-        return MeshOutline(mesh, progress).run();
+    std::optional<ClosedMesh> closed = mesh.elementCount() == 0 ? std::nullopt : closeOpenLines(mesh, rule);
+    const MeshView whole = closed ? MeshView(closed->mesh) : mesh;
+    Result<Domain> domain = MeshOutline(whole, progress).run();
+    if (!domain) {
+        return domain.faults();
     }
-    ClosedMesh closed = closeCracks(mesh);
-    nameOpenLines(closed);
-    Result<Domain> domain = MeshOutline(closed.mesh, progress).run();
-    if (domain) {
-        for (const OpenLine &line : closed.lines) {
-            domain->boundaryNames.erase(line.other); // of the face that is made again
-        }
-        if (cracks != nullptr) {
-            *cracks = std::move(closed.lines);
-        }
+    MeshDomain made;
+    made.domain = std::move(*domain);
+    if (closed) {
+        made.lines = std::move(closed->lines);
     }
-    return domain;
+    std::set<std::int32_t> cracks; // a line may have several other faces
+    for (const OpenLine &line : made.lines) {
+        cracks.insert(line.tag);
+    }
+    made.cracks.assign(cracks.begin(), cracks.end());
+    made.periodic = periodicParts(mesh, made);
+    return made;
 }
 
 std::vector<TaggedEdge> untaggedEdges(const MeshView &mesh) {

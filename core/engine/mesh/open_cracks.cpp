@@ -1,9 +1,12 @@
+#include "core/engine/base/cancelled.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/unused_tag.hpp"
 #include "core/engine/mesh/crack_sectors.hpp"
 #include "core/engine/mesh/cracks.hpp"
 #include "core/engine/mesh/placed_cell.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -23,16 +26,24 @@ class CrackOpening {
         : mesh_(mesh), tags_(tags.begin(), tags.end()), table_(mesh), sides_(table_.halfEdges()),
           onCrack_(mesh.nodes.size(), false), cornerNode_(sides_.count(), kNoNode) {}
 
-    Result<CrackReport> run(Mesh &mesh) {
+    Result<CrackReport> run(Mesh &mesh, const Progress &progress) {
         if (Status faults = chooseTags(); !faults.empty()) {
             return faults;
         }
         findLines();
+        progress("opening cracks", 0.25);
+        if (progress.cancelled()) {
+            return cancelled("opening cracks");
+        }
         const std::vector<bool> cut = cutLines();
         if (Status faults = checkInside(); !faults.empty()) {
             return faults;
         }
         const CrackSectors sectors(table_, cut, onCrack_);
+        progress("opening cracks", 0.5);
+        if (progress.cancelled()) {
+            return cancelled("opening cracks");
+        }
         placeNodes(sectors);
         if (Status faults = checkOpens(); !faults.empty()) {
             return faults;
@@ -46,16 +57,16 @@ class CrackOpening {
     bool isCrack(std::size_t edge) const { return tags_.contains(mesh_.edges[edge].tag); }
 
     Status chooseTags() {
-        std::int32_t last = 0;
+        std::set<std::int32_t> taken{0};
         for (const TaggedEdge &edge : mesh_.edges) {
-            last = std::max(last, edge.tag);
+            taken.insert(edge.tag);
         }
         for (const TaggedNode &point : mesh_.points) {
-            last = std::max(last, point.tag);
+            taken.insert(point.tag);
         }
         std::set<std::string> names;
         for (const auto &[tag, name] : mesh_.boundaryNames) {
-            last = std::max(last, tag);
+            taken.insert(tag);
             names.insert(name);
         }
         for (const std::int32_t tag : tags_) {
@@ -66,7 +77,12 @@ class CrackOpening {
                                  crackFaceName(name),
                              "rename that part, or the crack");
             }
-            report_.cracks.push_back({tag, ++last});
+            const std::int32_t last = *taken.rbegin();
+            const std::int32_t right = last < std::numeric_limits<std::int32_t>::max()
+                                           ? last + 1
+                                           : unusedTag(taken, mesh_.boundaryNames, TagKind::Boundary);
+            taken.insert(right);
+            report_.cracks.push_back({tag, right});
         }
         return {};
     }
@@ -233,11 +249,14 @@ class CrackOpening {
         }
         edges.insert(edges.end(), rightEdges.begin(), rightEdges.end());
         std::vector<TaggedNode> points = mesh_.points;
+        std::multimap<NodeId, std::uint32_t> copiesOf; // of equal nodes, in the order of their numbers
+        for (std::size_t k = 0; k < copies_.size(); ++k) {
+            copiesOf.emplace(copies_[k], static_cast<std::uint32_t>(mesh_.nodes.size() + k));
+        }
         for (const TaggedNode &point : mesh_.points) {
-            for (std::size_t k = 0; onCrack_[index(point.node)] && k < copies_.size(); ++k) {
-                if (copies_[k] == point.node) {
-                    points.push_back({NodeId{static_cast<std::uint32_t>(mesh_.nodes.size() + k)}, point.tag});
-                }
+            const auto [first, last] = copiesOf.equal_range(point.node);
+            for (auto copy = first; copy != last; ++copy) {
+                points.push_back({NodeId{copy->second}, point.tag});
             }
         }
         writeElements(mesh);
@@ -302,8 +321,9 @@ class CrackOpening {
 
 } // namespace
 
-Result<CrackReport> openCracks(Mesh &mesh, std::span<const std::int32_t> tags) {
-    return CrackOpening(mesh, tags).run(mesh);
+Result<CrackReport> openCracks(Mesh &mesh, std::span<const std::int32_t> tags, const Progress &progress) {
+    progress("opening cracks", 0.0);
+    return CrackOpening(mesh, tags).run(mesh, progress);
 }
 
 } // namespace forefront

@@ -4,9 +4,9 @@
 #include "core/engine/base/out_of_memory.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/coverage.hpp"
-#include "core/engine/mesh/cracks.hpp"
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/fault_list.hpp"
+#include "core/engine/mesh/open_lines.hpp"
 #include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/topology.hpp"
 #include "core/engine/mesh/verify_cells.hpp"
@@ -156,8 +156,8 @@ void checkCoverage(const NumberedMesh &named, const HalfEdges &sides, const std:
 }
 
 /// Notes the lines along which elements share no nodes although their edges coincide.
-void noteOpenLines(const NumberedMesh &named, FaultList &faults) {
-    for (const OpenLine &line : openLines(named.mesh)) {
+void noteOpenLines(const NumberedMesh &named, const EdgeTable &table, FaultList &faults) {
+    for (const OpenLine &line : openLines(named.mesh, table)) {
         const auto name = [&](std::int32_t tag) { return boundaryName(named.mesh.boundaryNames, tag); };
         const std::string names = line.tag == 0     ? "without a name"
                                   : line.other == 0 ? "of " + name(line.tag)
@@ -265,7 +265,7 @@ void checkSound(const NumberedMesh &named, FaultList &faults) {
     if (conforming) {
         checkCoverage(named, table.halfEdges(), boundary, faults);
         checkEuler(named.mesh, table, boundary, faults);
-        noteOpenLines(named, faults);
+        noteOpenLines(named, table, faults);
     }
     checkNodesUsed(named, faults);
 }

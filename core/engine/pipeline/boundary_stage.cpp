@@ -3,6 +3,7 @@
 #include "core/engine/boundary/estimate.hpp"
 #include "core/engine/boundary/graded_nodes.hpp"
 #include "core/engine/layers/layered_field.hpp"
+#include "core/engine/pipeline/boundary_division.hpp"
 #include "core/engine/pipeline/build_spacing.hpp"
 #include "core/engine/pipeline/element_limit.hpp"
 #include "core/engine/pipeline/periodic_sites.hpp"
@@ -25,12 +26,13 @@ constexpr double kGrowthFromPeriodic = 0.2; ///< of the size, unless a smaller g
 
 /// Discretises the boundary. Where that divides a periodic part more finely than the spacing, for the sake of the other
 /// one, the spacing is lowered around it and the boundary discretised again. Changes `spacing`.
-Result<DiscreteDomain> divided(const MeshingJob &job, const DomainFaces &faces, const PeriodicSides &sides,
-                               NarrowTips tips, std::shared_ptr<const SpacingField> &spacing,
-                               const Progress &progress) {
+Result<DiscreteDomain> divided(const BoundaryDivision &division, NarrowTips tips,
+                               std::shared_ptr<const SpacingField> &spacing, const Progress &progress) {
+    const MeshingJob &job = division.job;
+    const PeriodicSides &sides = division.periodic;
     const auto divide = [&] {
-        return discretise(job.domain, *spacing, job.options.keepBoundary, progress, &faces, tips,
-                          job.spacing.placed.counts(), sides.links.empty() ? nullptr : &sides);
+        return discretise(division.domain, *spacing, job.options.keepBoundary, progress, &division.faces, tips,
+                          division.elements, sides.links.empty() ? nullptr : &sides);
     };
     Result<DiscreteDomain> boundary = divide();
     if (!boundary || sides.links.empty() || job.options.keepBoundary) {
@@ -50,21 +52,22 @@ Result<DiscreteDomain> divided(const MeshingJob &job, const DomainFaces &faces, 
     return divide();
 }
 
-/// Discretises the boundary with `spacing` and checks the number of elements.
-Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces, const PeriodicSides &sides,
-                                std::shared_ptr<const SpacingField> spacing, std::uint64_t limit,
-                                const Progress &progress) {
+} // namespace
+
+Result<PreparedJob> discretised(const BoundaryDivision &division, std::shared_ptr<const SpacingField> spacing,
+                                std::uint64_t limit, const Progress &progress) {
+    const MeshingJob &job = division.job;
     progress("discretising the boundary", 0.0);
     // Sizes that were asked for are kept everywhere, sizes chosen automatically only where they help.
     const bool automatic = job.spacing.usesAutomatic() && !job.spacing.maximum;
     const std::shared_ptr<const SpacingField> given = spacing;
     Result<DiscreteDomain> boundary =
-        divided(job, faces, sides, automatic ? NarrowTips::Whole : NarrowTips::Divided, spacing, progress);
+        divided(division, automatic ? NarrowTips::Whole : NarrowTips::Divided, spacing, progress);
     if (!boundary) {
         return boundary.faults();
     }
     if (const auto *const kept = dynamic_cast<const KeptField *>(given.get())) {
-        addGradedNodes(*kept, faces, *boundary);
+        addGradedNodes(*kept, division.faces, *boundary);
     }
     PreparedJob prepared;
     prepared.estimatedElements = boundary->estimatedElements = estimateElements(*boundary, *spacing);
@@ -78,6 +81,16 @@ Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
                                static_cast<double>(limit), prepared);
     }
     return prepared;
+}
+
+namespace {
+
+/// Discretises the boundary of a job with the numbers of elements that it gives.
+Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces, const PeriodicSides &sides,
+                                std::shared_ptr<const SpacingField> spacing, std::uint64_t limit,
+                                const Progress &progress) {
+    return discretised({job, job.domain, job.spacing.placed.counts(), faces, sides}, std::move(spacing), limit,
+                       progress);
 }
 
 /// Returns a size source for each chord that is far shorter than the spacing there, among those that were taken as

@@ -3,11 +3,11 @@
 
 namespace forefront {
 
-Status cracksStage(MeshingState &state, const Progress &) {
+Status cracksStage(MeshingState &state, const Progress &progress) {
     if (state.job.cracks.empty()) {
         return {};
     }
-    Result<CrackReport> report = openCracks(state.mesh, state.job.cracks);
+    Result<CrackReport> report = openCracks(state.mesh, state.job.cracks, progress);
     if (!report) {
         return report.faults();
     }

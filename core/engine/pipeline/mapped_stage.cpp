@@ -1,7 +1,7 @@
 #include "core/engine/base/number_text.hpp"
-#include "core/engine/boundary/estimate.hpp"
 #include "core/engine/mapped/mapped_counts.hpp"
 #include "core/engine/mapped/mapped_rows.hpp"
+#include "core/engine/pipeline/boundary_division.hpp"
 #include "core/engine/pipeline/element_limit.hpp"
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/quads/even_boundary.hpp"
@@ -22,20 +22,22 @@ bool makesRowsOfQuads(const MeshingOptions &options) {
 }
 
 /// Divides the boundary again with the numbers of elements that mapped faces need.
-Status divideAgain(MeshingState &state, const MappedNumbers &numbers, const Progress &progress) {
-    const MeshingJob &job = state.job;
-    const bool automatic = job.spacing.usesAutomatic() && !job.spacing.maximum; // as for the first division
-    Result<DiscreteDomain> boundary = discretise(
-        numbers.domain, *state.prepared.spacing, job.options.keepBoundary, progress, &state.faces,
-        automatic ? NarrowTips::Whole : NarrowTips::Divided, SegmentElements(numbers.elements, numbers.biases),
-        state.periodic.links.empty() ? nullptr : &state.periodic);
-    if (!boundary) {
-        return boundary.faults();
+Status divideAgain(MeshingState &state, const MappedNumbers &numbers, std::uint64_t limit, const Progress &progress) {
+    Result<PreparedJob> again = discretised(
+        {state.job, numbers.domain, SegmentElements(numbers.elements, numbers.biases), state.faces, state.periodic},
+        state.prepared.spacing, limit, progress);
+    if (!again) {
+        return again.faults();
     }
-    boundary->estimatedElements = estimateElements(*boundary, *state.prepared.spacing);
-    state.prepared.estimatedElements = boundary->estimatedElements;
-    state.prepared.boundary = std::make_shared<const DiscreteDomain>(std::move(*boundary));
+    state.prepared.spacing = std::move(again->spacing);
+    state.prepared.boundary = std::move(again->boundary);
+    state.prepared.estimatedElements = again->estimatedElements;
     return {};
+}
+
+/// Returns the number of elements that the rows of mapped faces have.
+double rowElements(const MappedNumbers &numbers, bool quads) {
+    return quads ? numbers.cells : 2.0 * numbers.cells - numbers.corners;
 }
 
 /// Makes the cycles of edges even outside mapped faces, whose edges stay.
@@ -63,30 +65,29 @@ Status mappedStage(MeshingState &state, const Progress &progress) {
     if (!faces) {
         return faces.faults();
     }
-    const Result<MappedNumbers> numbers =
-        equalNumbers({job.domain, *faces, job.spacing.placed.counts(), state.periodic, job.options.keepBoundary},
-                     *state.prepared.boundary);
+    const std::uint64_t limit = std::isinf(state.budget) ? limitOf(job.options) : kMaxElements;
+    const Result<MappedNumbers> numbers = equalNumbers({job.domain, *faces, job.spacing.placed.counts(), state.periodic,
+                                                        job.options.keepBoundary, static_cast<double>(limit)},
+                                                       *state.prepared.boundary, progress);
     if (!numbers) {
         return numbers.faults();
     }
+    const bool quads = makesRowsOfQuads(job.options);
+    if (const double made = rowElements(*numbers, quads); made > static_cast<double>(limit)) {
+        return tooManyElements("the mapped faces need " + numberText(made, 6) + " elements", made,
+                               static_cast<double>(limit), state.prepared);
+    }
     if (numbers->changed) {
-        if (Status faults = divideAgain(state, *numbers, progress); !faults.empty()) {
+        if (Status faults = divideAgain(state, *numbers, limit, progress); !faults.empty()) {
             return faults;
         }
     }
     if (job.options.elements == Elements::Quads && !job.options.keepBoundary) {
         makeEven(state, *numbers);
     }
-    Result<BoundaryLayers> rows =
-        mappedRows(job.domain, *faces, *state.prepared.boundary, makesRowsOfQuads(job.options));
+    Result<BoundaryLayers> rows = mappedRows(job.domain, *faces, *state.prepared.boundary, quads, progress);
     if (!rows) {
         return rows.faults();
-    }
-    const auto limit = static_cast<double>(std::isinf(state.budget) ? limitOf(job.options) : kMaxElements);
-    const auto made = static_cast<double>(rows->cells.size());
-    if (made > limit) {
-        return tooManyElements("the mapped faces need " + numberText(made, 6) + " elements", made, limit,
-                               state.prepared);
     }
     state.prepared.layers = std::make_shared<const BoundaryLayers>(std::move(*rows));
     return {};

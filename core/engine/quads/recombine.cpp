@@ -143,13 +143,13 @@ Result<std::shared_ptr<const SpacingField>> spacingOfMesh(const Mesh &mesh) {
     for (std::size_t n = 0; n < areas.size(); ++n) { // nodes of no element have no meaning
         background->values.push_back(counts[n] > 0 ? std::sqrt(areas[n] / counts[n]) : any);
     }
-    const Result<Domain> domain = domainOfMesh(mesh);
-    if (!domain) {
-        return domain.faults();
+    const Result<MeshDomain> outline = domainOfMesh(mesh);
+    if (!outline) {
+        return outline.faults();
     }
     SpacingSpec spec;
     spec.background = std::move(background);
-    return SpacingField::build(spec, *domain);
+    return SpacingField::build(spec, outline->domain);
 }
 
 /// Divides quadrilaterals with a corner of 180 degrees or more, which lie between lines that must stay, into the better

@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/length_unit.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/mapped_spec.hpp"
 #include "core/engine/domain/periodic.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
@@ -19,6 +20,7 @@ struct DomainFile {
     LengthUnit unit = LengthUnit::None;   ///< of the coordinates, if the file names one
     std::vector<std::int32_t> cracks{};   ///< tags of inner lines that are cracks; see MeshingJob::cracks
     std::vector<PeriodicSpec> periodic{}; ///< parts that are divided alike; see MeshingJob::periodic
+    std::vector<MappedSpec> mapped{};     ///< regions filled by rows of elements; see MeshingJob::mapped
 };
 
 } // namespace forefront

@@ -72,7 +72,8 @@ class MshFile {
     bool readPeriodic();
     bool readPeriodicEntity();
     bool readPeriodicBinary();
-    bool addPair(std::int64_t second, std::int64_t first, std::size_t place);
+    /// Adds a pair to the last periodic curve; counts one with a node that the file does not have.
+    void addPair(std::int64_t second, std::int64_t first);
     /// Gives the mesh the periodic links that the pairs of nodes of its boundary parts show.
     void findPeriodic(Mesh &mesh);
     bool skipSection(std::string_view name);
@@ -147,6 +148,7 @@ class MshFile {
     std::map<std::pair<int, std::int64_t>, MshPiece> pieces_;       ///< of a partitioned mesh, by dimension and number
     std::vector<std::int32_t> elementPartitions_; ///< of the elements, in the order of the file; 0: none
     std::vector<std::vector<NodePair>> periodic_; ///< of curves; each by nodes of the mesh
+    std::size_t unknownPairs_ = 0;                ///< of periodic curves
     std::size_t interfaceParts_ = 0;              ///< lines and points between partitions
 };
 

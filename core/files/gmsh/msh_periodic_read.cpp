@@ -8,6 +8,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -16,20 +18,39 @@ namespace {
 constexpr std::int64_t kAnyPeriodic = std::numeric_limits<std::int64_t>::max();
 constexpr std::int32_t kAnyPeriodicCurve = std::numeric_limits<std::int32_t>::max();
 
-/// Returns the tag of the edges that join two of some nodes, ascending; 0 if there are none, or with several tags.
-std::int32_t partOf(const Mesh &mesh, const std::vector<NodeId> &nodes) {
-    std::int32_t tag = 0;
-    for (const TaggedEdge &edge : mesh.edges) {
-        if (std::binary_search(nodes.begin(), nodes.end(), edge.a) &&
-            std::binary_search(nodes.begin(), nodes.end(), edge.b)) {
-            if (tag != 0 && tag != edge.tag) {
-                return 0;
-            }
-            tag = edge.tag;
+/// The tagged edges of a mesh by their first nodes.
+class EdgesByNode {
+  public:
+    explicit EdgesByNode(const Mesh &mesh) : mesh_(mesh) {
+        for (std::uint32_t k = 0; k < mesh.edges.size(); ++k) {
+            order_.emplace_back(mesh.edges[k].a, k);
         }
+        std::sort(order_.begin(), order_.end());
     }
-    return tag;
-}
+
+    /// Returns the tag of the edges that join two of some nodes, ascending; 0 if there are none, or with several tags.
+    std::int32_t partOf(const std::vector<NodeId> &nodes) const {
+        std::int32_t tag = 0;
+        for (const NodeId node : nodes) {
+            for (auto at = std::lower_bound(order_.begin(), order_.end(), std::pair(node, std::uint32_t{0}));
+                 at != order_.end() && at->first == node; ++at) {
+                const TaggedEdge &edge = mesh_.edges[at->second];
+                if (!std::binary_search(nodes.begin(), nodes.end(), edge.b)) {
+                    continue;
+                }
+                if (tag != 0 && tag != edge.tag) {
+                    return 0;
+                }
+                tag = edge.tag;
+            }
+        }
+        return tag;
+    }
+
+  private:
+    const Mesh &mesh_;
+    std::vector<std::pair<NodeId, std::uint32_t>> order_; ///< first node and edge
+};
 
 /// Returns the motion that takes the first nodes of some pairs to the second ones; nothing if there is none.
 std::optional<RigidMap> motionOf(const Mesh &mesh, const std::vector<NodePair> &pairs, double tolerance) {
@@ -69,13 +90,13 @@ std::vector<NodeId> sortedNodes(const std::vector<NodePair> &pairs, NodeId NodeP
 
 } // namespace
 
-bool MshFile::addPair(std::int64_t second, std::int64_t first, std::size_t place) {
-    NodePair pair{kNoNode, kNoNode};
-    if (!findNode(first, pair.from, place) || !findNode(second, pair.to, place)) {
-        return false;
+void MshFile::addPair(std::int64_t second, std::int64_t first) {
+    const NodePair pair{NodeId{builder_.table.find(first)}, NodeId{builder_.table.find(second)}};
+    if (pair.from == kNoNode || pair.to == kNoNode) {
+        ++unknownPairs_;
+    } else {
+        periodic_.back().push_back(pair);
     }
-    periodic_.back().push_back(pair);
-    return true;
 }
 
 bool MshFile::readPeriodicEntity() {
@@ -102,17 +123,19 @@ bool MshFile::readPeriodicEntity() {
     if (!scanner_.count(count, 4, {"the number of pairs of nodes"})) {
         return false;
     }
-    periodic_.emplace_back();
+    const bool isCurve = dimension == 1;
+    if (isCurve) {
+        periodic_.emplace_back();
+    }
     for (std::size_t k = 0; k < count; ++k) {
         std::int64_t second = 0, first = 0;
-        if (!scanner_.integer(second, 1, kAnyPeriodic, {"a node of a periodic entity"}) ||
-            !scanner_.integer(first, 1, kAnyPeriodic, {"a node of its master"}) ||
-            !addPair(second, first, scanner_.offset())) {
+        if (!scanner_.integer(second, -kAnyPeriodic, kAnyPeriodic, {"a node of a periodic entity"}) ||
+            !scanner_.integer(first, -kAnyPeriodic, kAnyPeriodic, {"a node of its master"})) {
             return false;
         }
-    }
-    if (dimension != 1) {
-        periodic_.pop_back();
+        if (isCurve) {
+            addPair(second, first);
+        }
     }
     return true;
 }
@@ -150,28 +173,40 @@ bool MshFile::readPeriodicBinary() {
             !bytes.count(count, 2 * sizeof(std::uint64_t), {"the number of pairs of nodes"})) {
             return false;
         }
-        periodic_.emplace_back();
+        const bool isCurve = dimension == 1;
+        if (isCurve) {
+            periodic_.emplace_back();
+        }
         for (std::size_t pair = 0; pair < count; ++pair) {
             std::int64_t second = 0, first = 0;
-            const std::size_t place = bytes.offset();
             if (!bytes.number(second, {"a node of a periodic entity"}) ||
-                !bytes.number(first, {"a node of its master"}) || !addPair(second, first, place)) {
+                !bytes.number(first, {"a node of its master"})) {
                 return false;
             }
-        }
-        if (dimension != 1) {
-            periodic_.pop_back();
+            if (isCurve) {
+                addPair(second, first);
+            }
         }
     }
     return true;
 }
 
 void MshFile::findPeriodic(Mesh &mesh) {
+    if (unknownPairs_ > 0) {
+        scanner_.source().note("periodic",
+                               "skipped " + countText(unknownPairs_, "pair") +
+                                   " of periodic curves with a node that the file does not have",
+                               0);
+    }
+    if (periodic_.empty()) {
+        return;
+    }
+    const EdgesByNode edges(mesh);
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<NodePair>> links; // by the tags of both parts
     std::size_t ignored = 0;
     for (const std::vector<NodePair> &pairs : periodic_) {
-        const std::int32_t from = partOf(mesh, sortedNodes(pairs, &NodePair::from)),
-                           to = partOf(mesh, sortedNodes(pairs, &NodePair::to));
+        const std::int32_t from = edges.partOf(sortedNodes(pairs, &NodePair::from)),
+                           to = edges.partOf(sortedNodes(pairs, &NodePair::to));
         if (from == 0 || to == 0 || from == to) {
             ++ignored;
             continue;
@@ -183,10 +218,10 @@ void MshFile::findPeriodic(Mesh &mesh) {
     const double tolerance = std::max(kPeriodicTolerance * mesh.bounds().diagonal(), 1e-300);
     for (const auto &[tags, pairs] : links) {
         const std::optional<RigidMap> map = motionOf(mesh, pairs, tolerance);
-        const bool first = used.insert(tags.first).second && used.insert(tags.second).second;
-        if (map && first) {
+        if (map && !used.contains(tags.first) && !used.contains(tags.second)) {
             mesh.periodic.push_back({tags.first, tags.second, *map});
             if (verifyPeriodic(mesh).empty()) {
+                used.insert({tags.first, tags.second});
                 continue;
             }
             mesh.periodic.pop_back();

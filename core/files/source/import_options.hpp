@@ -58,6 +58,9 @@ struct ImportOptions {
     /// Names for parts of the boundary of a map, with places in the coordinates of the file; they are converted with
     /// it. Unused for other formats, whose domains nameParts() can name.
     std::vector<PartName> partNames = {};
+    /// Where a mesh is open along a line whose tag other edges have too, or that has none: leave the sides of the line
+    /// as they are, so that repair() merges them; otherwise the line is closed and read as a crack.
+    bool keepSharedLines = false;
     bool strict = false;     ///< refuse a drawing or map that would have to be changed
     bool beyondPage = false; ///< keep the parts of filled shapes outside the page (view box) of an SVG drawing
     /// Leave out the lines of a drawing or map that has filled shapes or polygons: paths without a fill, and line

@@ -14,8 +14,10 @@ Result<AdaptOutcome> adaptedMesh(const AdaptRequest &request, const Progress &pr
     MeshingJob job;
     if (request.drawing) {
         job = jobOf(*request.drawing);
-    } else if (Result<Domain> outline = outlineOf(request.mesh->view(), progress); outline) {
-        job.domain = std::move(*outline);
+    } else if (Result<MeshDomain> outline = outlineOf(request.mesh->view(), progress); outline) {
+        job.domain = std::move(outline->domain);
+        job.cracks = std::move(outline->cracks);
+        job.periodic = std::move(outline->periodic);
     } else {
         return outline.faults();
     }
