@@ -1,11 +1,11 @@
 #include "ui/dialogs/film_fields.hpp"
 
+#include "ui/workspace/workspace.hpp"
+
 #include <imgui.h>
 
 #include <array>
 #include <cstddef>
-
-#include "ui/workspace/workspace.hpp"
 
 namespace forefront::film_fields {
 
