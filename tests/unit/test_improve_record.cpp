@@ -2,6 +2,7 @@
 #include "core/engine/improve/improve_record.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/meshing_session.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
@@ -227,6 +228,112 @@ TEST_CASE("MeshingSession: passes of the improvement are its layers, and play go
     CHECK(session.wait()->improveStep == end->improveSteps - 2);
     session.step(Granularity::Event, 1000);
     CHECK(session.wait()->atEnd());
+}
+
+TEST_CASE("MeshStepper: events and layers that lead beyond the front make the improvement first, then its steps") {
+    const auto make = [] {
+        auto stepper = MeshStepper::create(*recorded::plate(0.4, ImproveLevel::Default));
+        REQUIRE(stepper);
+        stepper->stepImprovement();
+        return *std::move(stepper);
+    };
+    MeshStepper first = make();
+    first.finish();
+    const std::uint64_t last = first.known();
+    const std::size_t steps = first.snapshot()->improveSteps;
+    MeshStepper events = make();
+    events.seek(last - 1);
+    events.step(Granularity::Event, 100'000);
+    CHECK(events.atEnd());
+    CHECK(events.snapshot()->improveStep == steps);
+    first.seek(last);
+    first.step(Granularity::Layer, 2);
+    MeshStepper layers = make();
+    layers.seek(last - 1);
+    layers.step(Granularity::Layer, 3); // the rest of the last layer, and two passes
+    CHECK(layers.snapshot()->improveStep == first.snapshot()->improveStep);
+    CHECK(layers.snapshot()->improvement != nullptr);
+}
+
+TEST_CASE("MeshingSession: a step that follows a seek into an improvement yet to be made starts at its target") {
+    MeshingSession whole;
+    whole.start(recorded::plate(0.4, ImproveLevel::Default), StartMode::Run);
+    const std::uint64_t last = whole.wait()->known;
+    for (const bool inOnePass : {true, false}) {
+        MeshingSession session;
+        session.start(recorded::plate(0.4, ImproveLevel::Default), StartMode::Pause);
+        session.seek(last + 4);
+        session.step(Granularity::Event, 3);
+        if (!inOnePass) {
+            session.step(Granularity::Event, -2);
+        }
+        CHECK(session.wait()->improveStep == (inOnePass ? 7 : 5));
+    }
+    MeshingSession session;
+    session.start(recorded::plate(0.4, ImproveLevel::Default), StartMode::Pause);
+    session.seek(last);
+    session.step(Granularity::Layer, 1);
+    const auto pass = session.wait();
+    CHECK(pass->improveStep > 0);
+    CHECK(pass->improveStep < pass->improveSteps);
+}
+
+TEST_CASE("MeshingSession: a quiet run has the steps of its improvement once it is moved along its timeline") {
+    const auto job = recorded::plate(0.4, ImproveLevel::Best);
+    MeshingSession session, stepped;
+    stepped.start(job, StartMode::Run);
+    session.start(job, StartMode::RunQuiet);
+    const auto quiet = session.wait();
+    CHECK(quiet->state == RunState::Finished);
+    CHECK(quiet->improveSteps == 0);
+    CHECK(quiet->improved);
+    const auto known = stepped.wait();
+    CHECK(quiet->meshHash == known->meshHash);
+    session.step(Granularity::Advance, -1);
+    const auto back = session.wait();
+    CHECK(back->improveSteps == known->improveSteps);
+    CHECK(back->improveStep == known->improveSteps - 1);
+    CHECK(back->meshHash == known->meshHash);
+    CHECK(back->quality.elements == back->mesh->mesh.elements.size());
+    CHECK(back->quality.nodes == back->mesh->mesh.nodes.size());
+    session.want({.mesh = false, .front = false});
+    const auto bare = session.wait();
+    CHECK(bare->mesh == nullptr);
+    CHECK(bare->quality.elements == back->quality.elements);
+    CHECK(bare->quality.nodes == back->quality.nodes);
+    session.finish();
+    CHECK(session.wait()->atEnd());
+}
+
+TEST_CASE("Improvement record: nodes and elements that are renumbered after the last step have these numbers there") {
+    TriMesh mesh = samples::constrainedSquare(4, 0.2, {}, 5);
+    ImproveRecord record(mesh);
+    Vec2 &inner = mesh.nodes.back();
+    inner = inner + Vec2{0.001, 0.002};
+    record.changed(ImproveChange::Sweep, mesh, mesh.nodes, {});
+    const std::size_t count = mesh.nodes.size();
+    std::ranges::reverse(mesh.nodes);
+    const auto turn = [count](NodeId &node) { node = NodeId{static_cast<std::uint32_t>(count - 1 - index(node))}; };
+    for (Element &element : mesh.elements) {
+        std::ranges::for_each(element, turn);
+    }
+    for (TaggedEdge &edge : mesh.edges) {
+        turn(edge.a);
+        turn(edge.b);
+    }
+    for (TaggedNode &point : mesh.points) {
+        turn(point.node);
+    }
+    record.changed(ImproveChange::Renumber, mesh, mesh.nodes, {});
+    REQUIRE(record.steps() == 1);
+    record.moveTo(0);
+    record.moveTo(1);
+    CHECK(recorded::hashOf(record.mesh()) == recorded::hashOf(mesh));
+    const ImproveStep step = record.step();
+    REQUIRE(step.moves.size() == 1);
+    CHECK(index(step.moves[0].node) == 0);
+    CHECK(step.moves[0].to == mesh.nodes[0]);
+    CHECK(recorded::hashOf(record.mesh()) == recorded::hashOf(mesh));
 }
 
 TEST_CASE("MeshingSession: without improvement the finished front is the end; a second order follows in one step") {

@@ -63,6 +63,15 @@ TEST_CASE("Lockstep: a shorter run waits at its end") {
     CHECK(classic->complete);
     CHECK(fast->advance < classic->advance); // it makes up to three elements per advance
     CHECK(samePosition(*fast, *classic));    // both at their ends
+    for (const auto &end :
+         {fast, classic}) { // far beyond the last advance lies the improved mesh, not one of its steps
+        CHECK(end->improved);
+        CHECK(end->improveSteps == 0);
+        CHECK(end->state == RunState::Finished);
+    }
+    settle(runs, fast->known + 2, false);
+    CHECK(runs.latest(0)->improved);
+    CHECK(runs.latest(1)->advance == fast->known + 2);
     SessionSnapshot before = *classic;
     before.advance = fast->advance - 1;
     CHECK_FALSE(samePosition(*fast, before));

@@ -91,6 +91,7 @@ struct Canvas::Parts {
     double steppedAt = -1e300, fresh = 0.0;      ///< see LayerFrame::fresh
     bool appears = false;                        ///< that step has made or changed something
     MeshGlide meshGlide;
+    std::shared_ptr<const MeshSnapshot> gliding; ///< of this frame, see LayerFrame::gliding
 
     Box2 rasterBox;
     double rasterZoom = 0.0;
@@ -145,6 +146,7 @@ void Canvas::Parts::followSteps(Shell &context) {
     }
     const double left = 1.0 - (context.platform.now() - steppedAt) / kSeconds;
     fresh = appears && !context.settings.reduceMotion ? std::max(0.0, left) : 0.0;
+    gliding = meshGlide.at(fresh);
     if (fresh > 0.0) {
         context.animate();
     }
@@ -218,7 +220,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .measureBounds = measureBounds(context),
             .outOfDate = context.run.outOfDate(),
             .fresh = fresh,
-            .gliding = meshGlide.at(fresh),
+            .gliding = gliding,
             .picture = context.pictures.shown(),
             .pictureFailed = context.pictures.failed(),
             .layers = context.layers,

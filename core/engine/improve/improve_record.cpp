@@ -223,14 +223,18 @@ void ImproveRecord::apply(const Delta &delta, bool forward) {
 void ImproveRecord::moveTo(std::size_t step) {
     FOREFRONT_ASSERT(step <= steps());
     // What renumbers is done with the step that follows it, so that a step and the mesh after it have the same numbers.
-    const std::size_t target = step == 0 ? 0 : steps_[step - 1] + 1;
+    // What renumbers after the last step is done with that one.
+    moveToDelta(step == steps() ? deltas_.size() : step == 0 ? 0 : steps_[step - 1] + 1);
+    position_ = step;
+}
+
+void ImproveRecord::moveToDelta(std::size_t target) {
     while (done_ < target) {
         apply(deltas_[done_++], true);
     }
     while (done_ > target) {
         apply(deltas_[--done_], false);
     }
-    position_ = step;
 }
 
 /// Returns the number of each node in mesh(), which leaves out nodes that no element has any more. Nodes of tagged
@@ -238,8 +242,12 @@ void ImproveRecord::moveTo(std::size_t step) {
 std::vector<std::uint32_t> ImproveRecord::numbersOfNodes() const {
     std::vector<std::uint32_t> numbers(mesh_.nodes.size(), kNoIndex);
     std::uint32_t next = 0;
+    std::vector<std::uint8_t> stays(mesh_.nodes.size(), 0);
+    for (const TaggedNode &point : mesh_.points) {
+        stays[index(point.node)] = 1;
+    }
     for (std::size_t n = 0; n < numbers.size(); ++n) {
-        if (uses_[n] > 0 || everUsed_[n] == 0) {
+        if (uses_[n] > 0 || everUsed_[n] == 0 || stays[n] != 0) {
             numbers[n] = next++;
         }
     }
@@ -274,16 +282,29 @@ TriMesh ImproveRecord::mesh() const {
     return mesh;
 }
 
-ShapeFigures ImproveRecord::figures() const {
-    ShapeTally tally;
-    for (const Cell &cell : cells_) {
-        if (const Element &n = cell.nodes; n[0] != kNoNode) {
-            tally.add(mesh_.nodes[index(n[0])], mesh_.nodes[index(n[1])], mesh_.nodes[index(n[2])]);
+MeshQuality ImproveRecord::shapes() const {
+    MeshQuality quality = shapesOf(mesh_.nodes, cells_, &Cell::nodes);
+    const std::vector<std::uint32_t> numbers = numbersOfNodes();
+    quality.nodes = numbers.size() - static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), kNoIndex));
+    return quality;
+}
+
+/// Gives moves the numbers that their nodes have at this position, which they have after the step: the places of nodes
+/// differ.
+void ImproveRecord::renumberMoves(ImproveStep &step) const {
+    std::vector<ImproveStep::Move *> moves;
+    for (ImproveStep::Move &move : step.moves) {
+        moves.push_back(&move);
+    }
+    const auto before = [](Vec2 p, Vec2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); };
+    std::ranges::sort(moves, before, &ImproveStep::Move::to);
+    const std::vector<std::uint32_t> numbers = numbersOfNodes();
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+        const auto found = std::ranges::lower_bound(moves, mesh_.nodes[n], before, &ImproveStep::Move::to);
+        if (numbers[n] != kNoIndex && found != moves.end() && (*found)->to == mesh_.nodes[n]) {
+            (*found)->node = NodeId{numbers[n]};
         }
     }
-    MeshQuality quality;
-    tally.into(quality);
-    return {quality.alphaMin, quality.alphaMean, quality.minAngle};
 }
 
 /// Lists the nodes that stay and move.
@@ -349,11 +370,15 @@ ImproveStep ImproveRecord::step() {
                      .elements = {},
                      .before = figures(),
                      .after = {}};
-    moveTo(number);
+    moveToDelta(steps_[number - 1] + 1);
     step.after = figures();
     if (delta.change != ImproveChange::Remainder) {
         listMoves(delta, step);
         listElements(delta, step);
+    }
+    moveTo(number);
+    if (done_ > steps_[number - 1] + 1) {
+        renumberMoves(step);
     }
     return step;
 }

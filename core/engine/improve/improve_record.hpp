@@ -36,8 +36,9 @@ class ImproveRecord final : public ImproveWatch {
     TriMesh mesh() const;
     /// Returns the step that led to this position, which must not be 0. The figures are measured.
     ImproveStep step();
-    /// Returns the figures of the mesh at this position.
-    ShapeFigures figures() const;
+    /// Returns the number of nodes and elements of the mesh at this position and the figures of their shapes.
+    MeshQuality shapes() const;
+    ShapeFigures figures() const { return figuresOf(shapes()); }
     std::size_t bytes() const { return bytes_; }
 
   private:
@@ -79,6 +80,8 @@ class ImproveRecord final : public ImproveWatch {
     void apply(const Delta &delta, bool forward);
     void count(const Cell &cell, bool add);
     std::vector<std::uint32_t> numbersOfNodes() const;
+    void moveToDelta(std::size_t target);
+    void renumberMoves(ImproveStep &step) const;
     void listMoves(const Delta &delta, ImproveStep &step) const;
     void listElements(const Delta &delta, ImproveStep &step) const;
 

@@ -3,6 +3,7 @@
 #include "core/engine/mesh/shape_tally.hpp"
 
 #include <cstdio>
+#include <functional>
 
 namespace forefront {
 
@@ -60,12 +61,10 @@ std::string figureText(const char *name, double before, double after, const char
 } // namespace
 
 ShapeFigures figuresOf(const TriMesh &mesh) {
-    ShapeTally tally;
-    for (const Element &n : mesh.elements) {
-        tally.add(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
-    }
-    MeshQuality quality;
-    tally.into(quality);
+    return figuresOf(shapesOf(mesh.nodes, mesh.elements, std::identity{}));
+}
+
+ShapeFigures figuresOf(const MeshQuality &quality) {
     return {quality.alphaMin, quality.alphaMean, quality.minAngle};
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/improve/improve_watch.hpp"
+#include "core/engine/mesh/quality.hpp"
 
 #include <array>
 #include <cstddef>
@@ -35,6 +36,7 @@ struct ImproveStep {
 
 /// Returns the figures of a mesh.
 ShapeFigures figuresOf(const TriMesh &mesh);
+ShapeFigures figuresOf(const MeshQuality &quality);
 
 /// Returns a step as a caption: "Improvement 3 of 41: edge swapped; minimum α .652 → .701, mean .931 → .932, minimum
 /// angle 31.2° → 33.0°". `steps`: of the improvement.

@@ -3,8 +3,11 @@
 #include "core/engine/mesh/log_product.hpp"
 #include "core/engine/mesh/placed_cell.hpp"
 #include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
+#include <functional>
 #include <limits>
+#include <span>
 
 namespace forefront {
 
@@ -53,5 +56,20 @@ class ShapeTally {
     bool allPositive_ = true;
     std::array<std::uint64_t, kHistogramBins> histogram_{};
 };
+
+/// Returns the number of triangles of 3 nodes and their shape figures. `nodesOf`: returns the nodes of one of
+/// `elements`, kNoNode for one that is left out.
+template <class Elements, class NodesOf>
+MeshQuality shapesOf(std::span<const Vec2> nodes, const Elements &elements, const NodesOf &nodesOf) {
+    ShapeTally tally;
+    for (const auto &element : elements) {
+        if (const Element &n = std::invoke(nodesOf, element); n[0] != kNoNode) {
+            tally.add(nodes[index(n[0])], nodes[index(n[1])], nodes[index(n[2])]);
+        }
+    }
+    MeshQuality quality;
+    tally.into(quality);
+    return quality;
+}
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #include "core/engine/session/lockstep.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace forefront {
@@ -37,7 +38,7 @@ RunFigures figuresOf(const SessionSnapshot &snapshot) {
 }
 
 bool samePosition(const SessionSnapshot &a, const SessionSnapshot &b) {
-    return a.advance == b.advance || (a.atEnd() && b.atEnd());
+    return a.advance == b.advance || (a.frontDone() && b.frontDone());
 }
 
 Lockstep::Lockstep(const MeshingJob &job, std::vector<RunVariant> variants, const std::function<void()> &wake) {
@@ -48,7 +49,8 @@ Lockstep::Lockstep(const MeshingJob &job, std::vector<RunVariant> variants, cons
         own->options.threads = 1;
         runs_.push_back({variant, std::make_unique<MeshingSession>(wake)});
         runs_.back().session->want({.mesh = true, .front = true, .cells = true, .explanation = true});
-        runs_.back().session->start(std::move(own), StartMode::Pause);
+        runs_.back().session->start(std::move(own), StartMode::Pause, std::numeric_limits<double>::infinity(), 0,
+                                    ImprovementPace::AtOnce);
     }
 }
 

@@ -37,8 +37,8 @@ struct RunFigures {
     double cells = 0.0;      ///< cells visited per element
 };
 RunFigures figuresOf(const SessionSnapshot &snapshot);
-/// Returns true if the figures of two runs can be compared: both have made the same number of advances, or both are at
-/// their ends.
+/// Returns true if the figures of two runs can be compared: both have made the same number of advances, or the fronts
+/// of both are done.
 bool samePosition(const SessionSnapshot &a, const SessionSnapshot &b);
 
 /// Runs of one job with different methods or grids, kept at the same advance. Call all members from one thread; only
@@ -54,8 +54,8 @@ class Lockstep {
     bool busy() const;
     /// Waits until none of the runs is busy.
     void wait() const;
-    /// Moves every run to an advance, or to its own end with `end`. A run that is still moving catches up on a later
-    /// call, so call it regularly with the latest position, such as once per frame.
+    /// Moves every run to an advance, or to its own end, which is its improved mesh, with `end`. A run that is still
+    /// moving catches up on a later call, so call it regularly with the latest position, such as once per frame.
     void follow(std::uint64_t advance, bool end);
 
   private:

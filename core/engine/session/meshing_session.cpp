@@ -11,9 +11,9 @@ struct MeshingSession::Worker : SessionWorker {
 MeshingSession::MeshingSession(std::function<void()> wake) : worker_(std::make_unique<Worker>(std::move(wake))) {}
 MeshingSession::~MeshingSession() = default;
 
-void MeshingSession::start(std::shared_ptr<const MeshingJob> job, StartMode mode, double budget,
-                           std::uint64_t position) {
-    worker_->mailbox().push(StartCommand{std::move(job), mode, budget, position});
+void MeshingSession::start(std::shared_ptr<const MeshingJob> job, StartMode mode, double budget, std::uint64_t position,
+                           ImprovementPace improvement) {
+    worker_->mailbox().push(StartCommand{std::move(job), mode, budget, position, improvement});
 }
 void MeshingSession::finish() {
     worker_->mailbox().push(FinishCommand{});

@@ -29,7 +29,8 @@ class MeshingSession {
     /// if the new one is refused. A job of more than about `budget` elements is coarsened to it, see prepare().
     /// `position`: the number of advances after which a run waits that starts paused.
     void start(std::shared_ptr<const MeshingJob> job, StartMode mode,
-               double budget = std::numeric_limits<double>::infinity(), std::uint64_t position = 0);
+               double budget = std::numeric_limits<double>::infinity(), std::uint64_t position = 0,
+               ImprovementPace improvement = ImprovementPace::Steps);
     /// Runs to the end at full speed, then improves the mesh.
     void finish();
     /// Plays from the cursor at a number of advances per second; a negative rate plays backward. Computes further

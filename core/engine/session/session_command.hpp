@@ -16,6 +16,7 @@ struct StartCommand {
     StartMode mode = StartMode::Pause;
     double budget = std::numeric_limits<double>::infinity(); ///< elements
     std::uint64_t position = 0;                              ///< StartMode::Pause: advances done where it waits
+    ImprovementPace improvement = ImprovementPace::Steps;
 };
 struct PlayCommand {
     double rate = 0.0;

@@ -11,7 +11,8 @@ bool endsTheRun(const SessionCommand &command) {
            std::holds_alternative<CancelCommand>(command);
 }
 
-/// Returns true if a command ends a computation: preparation ends with the run, improvement with any movement.
+/// Returns true if a command ends a computation: preparation and the record of the improvement end with the run,
+/// improvement with any movement.
 bool stops(const SessionCommand &command, SessionMailbox::Blocking kind) {
     const bool movesNothing = std::holds_alternative<LayersCommand>(command) ||
                               std::holds_alternative<FinishCommand>(command) ||

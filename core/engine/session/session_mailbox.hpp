@@ -19,7 +19,7 @@ class SessionMailbox {
   public:
     using Clock = std::chrono::steady_clock;
     /// A computation during which the worker reads no commands, so that the sender of one must stop it.
-    enum class Blocking : std::uint8_t { Nothing, Preparing, Improving };
+    enum class Blocking : std::uint8_t { Nothing, Preparing, Improving, Recording };
 
     // For the UI thread:
 

@@ -20,6 +20,11 @@ enum class StartMode : std::uint8_t {
     RunQuiet ///< as Run, but publishes nothing before the end, so that the previous mesh stays visible after an edit; a
              ///< run above kQuietElements publishes its progress all the same
 };
+/// The part that the improvement has on the timeline of a run. The mesh does not depend on it.
+enum class ImprovementPace : std::uint8_t {
+    Steps, ///< its steps follow the last advance; a quiet run finds them out when it is first moved along its timeline
+    AtOnce ///< the last advance leads to the improved mesh
+};
 /// Maximum predicted number of elements of a quiet run. Larger runs take long enough for their progress to matter.
 inline constexpr double kQuietElements = 100'000.0;
 

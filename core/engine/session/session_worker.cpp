@@ -94,7 +94,11 @@ void SessionWorker::startStepped(const StartCommand &command, PreparedJob prepar
     quiet_ = quiet_ && prepared.estimatedElements <= kQuietElements;
     run_.emplace(command.job, std::move(prepared), number_);
     run_->travel().setBreakpoints(breakpoints_);
-    run_->stepImprovement();
+    run_->awaitImprovement();
+    improvement_ = command.improvement;
+    if (improvement_ == ImprovementPace::Steps && command.mode != StartMode::RunQuiet) {
+        run_->stepImprovement();
+    }
     stage_ = "advancing the front";
     if (command.mode != StartMode::Pause) {
         execute(FinishCommand{});
@@ -135,14 +139,13 @@ void SessionWorker::forget() {
     run_.reset();
     whole_.reset();
     stageProgress_ = 0.0;
-    improvementStopped_ = false;
     diagnostics_.clear();
     stage_.clear();
     shownNumber_ = 0;
 }
 
 void SessionWorker::execute(const CancelCommand &) {
-    if (run_ && (!run_->travel().resting() || improvementStopped_)) {
+    if (run_ && !run_->travel().resting()) {
         rest(RunState::Cancelled);
     }
 }
@@ -169,22 +172,19 @@ void SessionWorker::execute(const FinishCommand &) {
 }
 
 void SessionWorker::execute(const SeekCommand &command) {
-    if (run_) {
-        beginMove();
+    if (run_ && beginTravel()) {
         follow(run_->travel().reach(command.advance));
     }
 }
 
 void SessionWorker::execute(const SeekStopCommand &command) {
-    if (run_) {
-        beginMove();
+    if (run_ && beginTravel()) {
         follow(run_->travel().reachStop(command.forward));
     }
 }
 
 void SessionWorker::execute(const SeekBirthCommand &command) {
-    if (run_) {
-        beginMove();
+    if (run_ && beginTravel()) {
         follow(run_->travel().reachBirth(command.place, command.tolerance));
     }
 }
@@ -197,8 +197,7 @@ void SessionWorker::execute(const BreakpointsCommand &command) {
 }
 
 void SessionWorker::execute(const StepCommand &command) {
-    if (run_ && command.count != 0) {
-        beginMove();
+    if (run_ && command.count != 0 && beginTravel()) {
         follow(run_->travel().step(command.granularity, command.count));
     }
 }
@@ -208,13 +207,37 @@ void SessionWorker::execute(const PlayCommand &command) {
         execute(PauseCommand{});
         return;
     }
-    beginMove();
-    run_->travel().play(command.rate);
-    publish(false);
+    if (beginTravel()) {
+        run_->travel().play(command.rate);
+        publish(false);
+    }
+}
+
+bool SessionWorker::beginTravel() {
+    const bool ready = improvement_ == ImprovementPace::AtOnce || recordImprovement();
+    if (ready) {
+        beginMove();
+    }
+    return ready;
+}
+
+bool SessionWorker::recordImprovement() {
+    if (!run_->improved()) {
+        run_->stepImprovement();
+    }
+    if (run_->stepsImprovement()) {
+        return true;
+    }
+    const Progress progress = progressInto(RunState::Improving, mailbox_.beginBlocking(Blocking::Recording));
+    const Status faults = run_->recordImprovement(progress);
+    mailbox_.endBlocking();
+    if (!faults.empty()) {
+        rest(RunState::Finished);
+    }
+    return faults.empty();
 }
 
 void SessionWorker::beginMove() {
-    improvementStopped_ = false;
     state_ = RunState::Running;
     stage_ = "advancing the front";
     lastPublish_ = Clock::now(); // a short move shows only its target
@@ -255,10 +278,9 @@ void SessionWorker::improveMesh() {
         fail(std::move(faults));
         return;
     }
-    improvementStopped_ = !done;
     if (!done) {
-        rest(RunState::Paused);
-        return;
+        state_ = RunState::Running;
+        return; // the command that stopped it is next, and may continue the move
     }
     state_ = RunState::Running;
     stage_ = "advancing the front";

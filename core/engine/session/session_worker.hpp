@@ -49,6 +49,10 @@ class SessionWorker {
     void forget();
     void lookAhead();
     void beginMove();
+    /// Begins a move along the timeline, which gets the steps of the improvement. Returns false if that was stopped.
+    bool beginTravel();
+    /// Records the improvement of a run that was finished without. Returns false if that was stopped.
+    bool recordImprovement();
     void follow(Outcome outcome);
     void rest(RunState state);
     /// Stops on the timeline.
@@ -66,9 +70,9 @@ class SessionWorker {
     std::function<void()> wake_;
 
     std::optional<SteppedRun> run_;
-    std::optional<WholeRun> whole_;   ///< set while run_ is not: a run without a timeline
-    bool quiet_ = false;              ///< publish nothing before the run rests
-    bool improvementStopped_ = false; ///< stopped by a command
+    std::optional<WholeRun> whole_; ///< set while run_ is not: a run without a timeline
+    bool quiet_ = false;            ///< publish nothing before the run rests
+    ImprovementPace improvement_ = ImprovementPace::Steps;
 
     RunState state_ = RunState::Empty;
     Diagnostics diagnostics_;

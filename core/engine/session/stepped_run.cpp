@@ -1,5 +1,7 @@
 #include "core/engine/session/stepped_run.hpp"
 
+#include "core/engine/base/assert.hpp"
+#include "core/engine/base/cancelled.hpp"
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/session/whole_run.hpp"
 
@@ -27,26 +29,61 @@ Diagnostics SteppedRun::excess() const {
 
 Status SteppedRun::improve(const Progress &progress) {
     MeshingState state{.job = *job_, .prepared = prepared_};
-    state.triangles = toMesh(travel_.timeline().mesher().state(), *prepared_.frontBoundary());
+    state.triangles = meshOfFront();
     std::optional<ImproveRecord> record;
-    if (stepsImprovement_ && improves() && state.triangles.elements.size() <= kSteppedElements) {
-        state.watch = &record.emplace(state.triangles);
+    if (stepsImprovement_) {
+        record = recordFor(state.triangles);
+        state.watch = record ? &*record : nullptr;
     }
     if (Status faults = runStages(stagesAfterFront(), state, progress); !faults.empty()) {
         return faults;
     }
     secondsImprove_ = state.improvement.seconds;
     final_ = takeFinished(state, number_);
-    record_ = std::move(record);
     if (stepsImprovement_) {
-        std::vector<std::size_t> passEnds = record_ ? record_->passEnds() : std::vector<std::size_t>{};
-        std::size_t steps = record_ ? record_->steps() : 0;
-        if (completes() || (improves() && !record_)) {
-            passEnds.push_back(++steps);
-        }
-        travel_.setImprovement(steps, std::move(passEnds));
+        takeSteps(std::move(record));
+    } else {
+        travel_.setImprovement(0, {});
     }
     return {};
+}
+
+Status SteppedRun::recordImprovement(const Progress &progress) {
+    FOREFRONT_ASSERT(improved() && travel_.atEnd());
+    MeshingState state{.job = *job_, .prepared = prepared_};
+    state.triangles = meshOfFront();
+    std::optional<ImproveRecord> record = recordFor(state.triangles);
+    if (record) {
+        state.watch = &*record;
+        if (Status faults = improveStage(state, progress); !faults.empty()) {
+            return faults;
+        }
+        if (progress.cancelled()) {
+            return cancelled("the record of the improvement");
+        }
+    }
+    stepsImprovement_ = true;
+    takeSteps(std::move(record));
+    return {};
+}
+
+TriMesh SteppedRun::meshOfFront() const {
+    return toMesh(travel_.timeline().mesher().state(), *prepared_.frontBoundary());
+}
+
+std::optional<ImproveRecord> SteppedRun::recordFor(const TriMesh &mesh) const {
+    const bool stepped = improves() && mesh.elements.size() <= kSteppedElements;
+    return stepped ? std::optional<ImproveRecord>(std::in_place, mesh) : std::nullopt;
+}
+
+void SteppedRun::takeSteps(std::optional<ImproveRecord> record) {
+    record_ = std::move(record);
+    std::vector<std::size_t> passEnds = record_ ? record_->passEnds() : std::vector<std::size_t>{};
+    std::size_t steps = record_ ? record_->steps() : 0;
+    if (completes() || (improves() && !record_)) {
+        passEnds.push_back(++steps);
+    }
+    travel_.setImprovement(steps, std::move(passEnds));
 }
 
 bool SteppedRun::completes() const {
@@ -72,9 +109,9 @@ std::shared_ptr<const ImproveStep> SteppedRun::lastStep() {
         record_->moveTo(record_->steps());
         step->before = record_->figures();
     } else {
-        step->before = figuresOf(toMesh(travel_.timeline().mesher().state(), *prepared_.frontBoundary()));
+        step->before = figuresOf(meshOfFront());
     }
-    step->after = {final_.quality.alphaMin, final_.quality.alphaMean, final_.quality.minAngle};
+    step->after = figuresOf(final_.quality);
     return step;
 }
 
@@ -85,35 +122,31 @@ void SteppedRun::fillStep(SessionSnapshot &snapshot, bool withMesh, bool resting
         shownStep_ = number;
         step_ = lastStep();
         stepMesh_.reset();
+        stepShapes_.reset();
         stepQuality_.reset();
     }
     snapshot.improvement = step_;
     if (travel_.atEnd()) {
         return;
     }
-    if (!stepMesh_ && (withMesh || resting)) {
+    if (!stepMesh_ && withMesh) {
         record_->moveTo(number);
         std::shared_ptr<MeshSnapshot> view = snapshotOf(Mesh(record_->mesh()));
         constexpr std::uint64_t kOfSteps = std::uint64_t{1} << 31U; // the front has fewer versions
         view->version = ((number_ + 1) << 32U) + kOfSteps + number;
         stepMesh_ = std::move(view);
     }
-    if (withMesh) {
-        snapshot.mesh = stepMesh_;
-    }
-    if (resting && !stepQuality_) {
+    const bool measured = withMesh && resting;
+    if (measured && !stepQuality_) {
         stepQuality_ = measureQuality(stepMesh_->view(), prepared_.spacing.get());
     }
-    if (stepQuality_) {
-        snapshot.quality = *stepQuality_;
-    } else {
-        snapshot.quality.alphaMin = step_->after.alphaMin;
-        snapshot.quality.alphaMean = step_->after.alphaMean;
-        snapshot.quality.minAngle = step_->after.minAngle;
+    if (!stepShapes_) {
+        record_->moveTo(number);
+        stepShapes_ = record_->shapes();
     }
-    if (resting) {
-        snapshot.stateHash = meshHash(stepMesh_->view());
-    }
+    snapshot.mesh = withMesh ? stepMesh_ : nullptr;
+    snapshot.quality = measured ? *stepQuality_ : *stepShapes_;
+    snapshot.stateHash = measured ? meshHash(stepMesh_->view()) : 0;
 }
 
 void SteppedRun::fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting) {

@@ -30,13 +30,19 @@ class SteppedRun {
     Diagnostics excess() const;
     /// Maximum number of elements whose improvement is stepped; that of a larger mesh is one step.
     static constexpr std::size_t kSteppedElements = 100'000;
-    /// Makes improve() record the steps of the improvement, which then follow the advances on the timeline.
+    /// Makes moves wait for improve() where the front is done.
+    void awaitImprovement() { travel_.awaitImprovement(); }
+    /// Does so and makes improve() record the steps of the improvement, which then follow the advances on the timeline.
     void stepImprovement();
+    bool stepsImprovement() const { return stepsImprovement_; }
     /// Returns true once improve() has made the final mesh.
     bool improved() const { return final_.view != nullptr; }
     /// Makes the final mesh from the front's, which must be complete. Returns the faults that the stages
     /// after the front found, or "cancelled".
     Status improve(const Progress &progress);
+    /// Improves the mesh of the front of an improved run again, for its steps, which are then on the timeline. The run
+    /// must be at its end, and stays there. Faults: "cancelled".
+    Status recordImprovement(const Progress &progress);
 
     /// Fills in everything that follows from the run at its position. `resting`: it does not move, so that slower
     /// figures are computed as well.
@@ -46,6 +52,10 @@ class SteppedRun {
     bool improves() const { return job_->options.improve != ImproveLevel::None; }
     /// Returns true if stages after the improvement change the mesh.
     bool completes() const;
+    /// Returns a record of the improvement of a mesh, which is to be its watch; none if its steps are not recorded.
+    std::optional<ImproveRecord> recordFor(const TriMesh &mesh) const;
+    void takeSteps(std::optional<ImproveRecord> record);
+    TriMesh meshOfFront() const;
     void fillStep(SessionSnapshot &snapshot, bool withMesh, bool resting);
     std::shared_ptr<const ImproveStep> lastStep();
 
@@ -61,7 +71,7 @@ class SteppedRun {
     std::size_t shownStep_ = 0;
     std::shared_ptr<const ImproveStep> step_;
     std::shared_ptr<const MeshSnapshot> stepMesh_;
-    std::optional<MeshQuality> stepQuality_;
+    std::optional<MeshQuality> stepShapes_, stepQuality_;
     double secondsImprove_ = 0.0;
 };
 

@@ -69,6 +69,9 @@ void TimelineTravel::lookAhead(std::uint64_t limit) {
 }
 
 void TimelineTravel::setImprovement(std::size_t steps, std::vector<std::size_t> passEnds) {
+    if (atEnd() && !awaitsImprovement_) {
+        improveStep_ = steps;
+    }
     awaitsImprovement_ = false;
     improveSteps_ = steps;
     passEnds_ = std::move(passEnds);
@@ -94,6 +97,7 @@ TimelineTravel::Outcome TimelineTravel::beginReaching(std::uint64_t position, co
     birth_.reset();
     eventsDone_ = 0;
     targetLayers_ = 0;
+    next_.reset();
     target_ = position;
     stepped_ = position != kToTheEnd;
     activity_ = Activity::Reaching;
@@ -127,13 +131,11 @@ TimelineTravel::Outcome TimelineTravel::reachBirth(Vec2 place, double tolerance)
 TimelineTravel::Outcome TimelineTravel::step(Granularity granularity, std::int64_t n) {
     switch (granularity) {
     case Granularity::Event:
-        settle();
-        return stepEvents(n);
+        return settle() ? stepEvents(n) : awaitThen({granularity, n});
     case Granularity::Advance:
         return stepAdvances(n);
     case Granularity::Layer:
-        settle();
-        return stepLayers(n);
+        return settle() ? stepLayers(n) : awaitThen({granularity, n});
     }
     return Outcome::Arrived;
 }
@@ -149,12 +151,25 @@ TimelineTravel::Outcome TimelineTravel::stepAdvances(std::int64_t count) {
     return beginReaching(origin - std::min(origin, back), breakpoints_);
 }
 
-/// Completes a short move, since the next one starts from its target.
-void TimelineTravel::settle() {
+/// Completes a short move, since the next one starts from its target. Returns false if the target is a step of the
+/// improvement, which is yet to be made.
+bool TimelineTravel::settle() {
     for (int batch = 0; batch < 64 && activity_ == Activity::Reaching && target_ != kToTheEnd; ++batch) {
-        reachABatch();
+        if (reachABatch() == Outcome::FrontDone && target_ != position()) {
+            return false;
+        }
     }
     activity_ = Activity::Resting;
+    return true;
+}
+
+/// Takes a step once the improvement is made and the target reached.
+TimelineTravel::Outcome TimelineTravel::awaitThen(Step step) {
+    if (next_ && next_->granularity == step.granularity) {
+        step.count += next_->count; // several in a row
+    }
+    next_ = step;
+    return Outcome::FrontDone;
 }
 
 TimelineTravel::Outcome TimelineTravel::stepEvents(std::int64_t count) {
@@ -164,8 +179,11 @@ TimelineTravel::Outcome TimelineTravel::stepEvents(std::int64_t count) {
     stepped_ = true;
     for (; count > 0 && !stop_; --count) {
         if (eventsDone_ == 0) {
-            if (timeline_.mesher().finished()) {
-                move(count); // steps of the improvement have no events
+            if (timeline_.mesher().finished()) { // steps of the improvement have no events
+                if (awaitsImprovement_) {
+                    return beginReaching(position() + static_cast<std::uint64_t>(count), breakpoints_);
+                }
+                move(count);
                 break;
             }
             nextAdvance_ = explainNext();
@@ -204,7 +222,7 @@ TimelineTravel::Outcome TimelineTravel::stepPasses(std::int64_t count) {
 }
 
 TimelineTravel::Outcome TimelineTravel::stepLayers(std::int64_t count) {
-    if (improveStep_ > 0 || (count > 0 && frontDone())) {
+    if (improveStep_ > 0 || (count > 0 && frontDone() && !awaitsImprovement_)) {
         return stepPasses(count);
     }
     const std::vector<std::uint64_t> &ends = timeline_.layerEnds();
@@ -212,6 +230,7 @@ TimelineTravel::Outcome TimelineTravel::stepLayers(std::int64_t count) {
     if (count > 0) {
         const auto above = std::upper_bound(ends.begin(), ends.end(), position) - ends.begin();
         const Outcome outcome = beginReaching(kToTheEnd, breakpoints_);
+        stepped_ = true;
         targetLayers_ = static_cast<std::size_t>(above + count);
         return outcome;
     }
@@ -231,6 +250,7 @@ void TimelineTravel::play(double rate) {
     stop_.reset();
     birth_.reset();
     eventsDone_ = 0;
+    next_.reset();
     rate_ = rate;
     owed_ = 0.0;
     lastTick_ = Clock::now();
@@ -239,14 +259,16 @@ void TimelineTravel::play(double rate) {
 
 void TimelineTravel::rest() {
     activity_ = Activity::Resting;
+    next_.reset();
 }
 
 TimelineTravel::Outcome TimelineTravel::arrive() {
     if (awaitsImprovement_ && frontDone()) {
         return Outcome::FrontDone;
     }
+    const std::optional<Step> next = next_;
     rest();
-    return Outcome::Arrived;
+    return next && !stop_ ? step(next->granularity, next->count) : Outcome::Arrived;
 }
 
 TimelineTravel::Outcome TimelineTravel::work() {
@@ -308,6 +330,11 @@ std::uint64_t TimelineTravel::moveWatching(std::int64_t advances) {
 TimelineTravel::Outcome TimelineTravel::reachABatch() {
     if (targetLayers_ > 0 && timeline_.layerEnds().size() >= targetLayers_) {
         target_ = timeline_.layerEnds()[targetLayers_ - 1];
+        targetLayers_ = 0;
+    }
+    if (targetLayers_ > 0 && frontDone() && !awaitsImprovement_) { // passes of the improvement follow the last layer
+        const std::size_t pass = std::min(targetLayers_ - timeline_.layerEnds().size(), passEnds_.size());
+        target_ = timeline_.known() + (pass == 0 ? 0 : passEnds_[pass - 1]);
         targetLayers_ = 0;
     }
     const std::uint64_t position = this->position();

@@ -39,6 +39,7 @@ class TimelineTravel {
     /// Makes moves wait at the end of the front for setImprovement().
     void awaitImprovement() { awaitsImprovement_ = true; }
     /// Appends the steps of the improvement to the timeline. `passEnds`: the steps after which a pass ends, ascending.
+    /// A run that is at its end without them stays there.
     void setImprovement(std::size_t steps, std::vector<std::size_t> passEnds);
     /// Returns the number of steps of the improvement done at this position, and of all.
     std::size_t improveStep() const { return improveStep_; }
@@ -87,6 +88,10 @@ class TimelineTravel {
 
   private:
     enum class Activity : std::uint8_t { Resting, Reaching, Playing };
+    struct Step {
+        Granularity granularity = Granularity::Advance;
+        std::int64_t count = 0;
+    };
 
     Outcome beginReaching(std::uint64_t position, const Breakpoints &watched);
     Outcome stepAdvances(std::int64_t count);
@@ -94,7 +99,8 @@ class TimelineTravel {
     Outcome stepLayers(std::int64_t count);
     Outcome stepPasses(std::int64_t count);
     void approach(std::uint64_t position);
-    void settle();
+    bool settle();
+    Outcome awaitThen(Step step);
     Outcome reachABatch();
     Outcome playABatch();
     Outcome arrive();
@@ -111,7 +117,8 @@ class TimelineTravel {
     bool stepped_ = false;
     Activity activity_ = Activity::Resting;
     std::uint64_t target_ = 0;     ///< Reaching: position to reach
-    std::size_t targetLayers_ = 0; ///< Reaching: number of layer ends still to pass
+    std::size_t targetLayers_ = 0; ///< Reaching: number of layer ends to pass, passes of the improvement among them
+    std::optional<Step> next_;     ///< Reaching: step to take at the target, since its end depends on the improvement
     double rate_ = 0.0;            ///< Playing: advances per second; negative: backwards
     double owed_ = 0.0;            ///< Playing: fraction of an advance not yet played
     Clock::time_point lastTick_;   ///< Playing: the time up to which advances are done

@@ -5,7 +5,7 @@
   const words = (index) => lesson.words[index];
   const player = $('player');
   const given = lesson.pages.map(() => []); // the answers to the question of each page, in order: { answer, right }
-  let page = 0, shownRun = -1, ready = false;
+  let page = 0, shownRun = -1, ready = false, shownAnswer = false;
   /** What the player shows: { done, inner, improved, picked }; null before its first word. */
   let moment = null;
   const light = matchMedia('(prefers-color-scheme: light)').matches;
@@ -73,6 +73,11 @@
     if (!question || !question.done || !moment || solved()) { return; }
     const found = question.done.find(([done, inner, improved, picked]) => done === moment.done && (inner === 1) === moment.inner &&
       (improved === 1) === moment.improved && (picked < 0 || picked === moment.picked));
+    if (found && shownAnswer) { // by Show me, which is no answer
+      reply(true, words(found[4]));
+      return;
+    }
+    shownAnswer = false;
     if (found) {
       answer('advance ' + moment.done, true, words(found[4]));
     } else if (moment.picked >= 0 && question.asksForCandidate) {
@@ -124,7 +129,10 @@
     event.preventDefault();
     if ($('typed')) { answerNumber(); }
   };
-  $('show').onclick = () => goTo(questionNow().show);
+  $('show').onclick = () => {
+    shownAnswer = true;
+    goTo(questionNow().show);
+  };
 
   // ---- Pages ----
 
@@ -141,6 +149,7 @@
     $('following').disabled = page + 1 === lesson.pages.length;
     $('lesson-page').scrollTop = 0;
     moment = null;
+    shownAnswer = false;
     showQuestion();
     showScene();
   };

@@ -259,6 +259,9 @@ Status writeLessonPage(const Lesson &lesson, TextWriter &out, const Progress &pr
         if (Status faults = data.page(lesson.pages[k], runOfPage[k]); !faults.empty()) {
             return faults;
         }
+        if (progress.cancelled()) { // the moments of its task may be incomplete
+            return error("cancelled", "the page was cancelled");
+        }
     }
     out << "],\n\"words\":";
     data.words();

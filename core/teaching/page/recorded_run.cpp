@@ -77,8 +77,8 @@ Result<RecordedRun> recordRun(const MeshingJob &job, const RunPagePlan &plan, co
 
 std::string scriptString(const std::string &text) {
     std::string json = jsonString(text);
-    for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at + 3)) {
-        json.insert(at + 1, "\\");
+    for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at)) {
+        json.replace(at, 1, "\\u003c");
     }
     return json;
 }

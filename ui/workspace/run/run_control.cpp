@@ -84,8 +84,6 @@ std::string previewText(const SessionSnapshot &s) {
 void RunControl::log(const SessionSnapshot &s) {
     const auto start = starts_.find(s.run);
     const bool isLive = start != starts_.end() && start->second.live;
-    const bool news = s.run != loggedRun_ || s.state == RunState::Failed || s.state == RunState::Finished ||
-                      s.state == RunState::Cancelled;
     const bool refused = !s.diagnostics.empty() && (s.state == RunState::Failed || s.run != refusalLogged_);
     if (refused) {
         refusalLogged_ = s.run;
@@ -96,10 +94,11 @@ void RunControl::log(const SessionSnapshot &s) {
         }
     } else if (s.shownRun != s.run) {
         // The previous mesh is already in the log.
-    } else if (news && s.state == RunState::Cancelled && loggedState_ != RunState::Cancelled) {
+    } else if (s.state == RunState::Cancelled && loggedState_ != RunState::Cancelled) {
         log_.note(ui::format("Cancelled after %llu advances; you can step through the partial mesh",
                              static_cast<unsigned long long>(s.known)));
-    } else if (news && s.state == RunState::Finished && loggedState_ != RunState::Paused) {
+    } else if (s.state == RunState::Finished && s.run != resultLogged_) {
+        resultLogged_ = s.run;
         if (s.coarsening > 1.0) {
             liveResult_ = {previewText(s), {}, start->second.revision};
         } else if (isLive) {
@@ -167,8 +166,8 @@ bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) co
 /// Returns true if the newest document differs from that of the run in the rules of the method alone, and the run rests
 /// in its course.
 bool RunControl::keepsPosition(const SessionSnapshot &newest) const {
-    const bool underWay = newest.run == lastStart_ && newest.state == RunState::Paused && newest.known > 0 &&
-                          !(newest.complete && newest.advance == newest.known);
+    const bool underWay =
+        newest.run == lastStart_ && newest.state == RunState::Paused && newest.known > 0 && !newest.atEnd();
     const Document &now = *document_.current();
     if (!underWay || !startedWith_ || startedWith_->options.rules == now.options.rules ||
         newest.requestedElements > liveBudget) {

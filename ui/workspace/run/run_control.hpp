@@ -216,6 +216,7 @@ class RunControl final : public BackgroundActivity {
     mutable std::map<std::uint64_t, std::uint64_t> meshRevisions_; ///< by document revision
     LiveMeshing liveMeshing_;
     std::uint64_t loggedRun_ = 0;
+    std::uint64_t resultLogged_ = 0; ///< the last run whose result was logged
     RunState loggedState_ = RunState::Empty;
 };
 

@@ -46,7 +46,7 @@ bool SideBySide::follow(const RunControl &run, const Document &document) {
         lockstep_.emplace(run.job(), variants, list().wake());
         shown_.assign(variants.size(), nullptr);
     }
-    lockstep_->follow(main.advance, main.atEnd());
+    lockstep_->follow(main.advance, main.frontDone());
     bool news = false;
     for (std::size_t k = 0; k < shown_.size(); ++k) {
         const auto latest = lockstep_->latest(k);
