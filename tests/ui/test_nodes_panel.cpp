@@ -39,7 +39,7 @@ TEST_CASE("Nodes panel: all digits, and a typed place moves the node with those 
     driver.click("nodes/copy");
     CHECK(driver.platform().clipboard() ==
           "shape\tnode\tx\ty\n1\t1\t1\t1\n1\t2\t3\t1\n1\t3\t3.25\t3\n1\t4\t1\t3.123456789012\n");
-    driver.click("nodes/which/1");
+    driver.click("nodes/which/All shapes");
     driver.settle();
     CHECK(driver.has("nodes/2/1/x"));
 }
