@@ -56,7 +56,7 @@ TEST_CASE("Unit: both co-ordinates typed into one field may have units of their 
     drawIn(driver, LengthUnit::Millimetre);
     driver.context().selection.shapes.clear();
     driver.showPanel("nodes");
-    driver.click("nodes/which/1");
+    driver.click("nodes/which/All shapes");
     driver.settle();
     driver.fill("nodes/1/3/x", "2 in, 3 cm");
     CHECK(corner(driver).x == doctest::Approx(50.8));
@@ -71,7 +71,7 @@ TEST_CASE("Unit: a mesh has the unit that it was made in, or the one chosen for 
     driver.settle();
     REQUIRE(run.now().complete);
     openUnit(driver);
-    driver.click("dialog/unit/unit/1"); // millimetres
+    driver.click("dialog/unit/unit/mm");
     driver.settle();
     driver.click("dialog/unit/ok");
     driver.settle();
@@ -81,9 +81,9 @@ TEST_CASE("Unit: a mesh has the unit that it was made in, or the one chosen for 
     driver.key('Z', kControl);
     driver.settle();
     openUnit(driver);
-    driver.click("dialog/unit/unit/5"); // inches
+    driver.click("dialog/unit/unit/in");
     driver.settle();
-    driver.click("dialog/unit/way/1");
+    driver.click("dialog/unit/way/Keep the numbers");
     driver.click("dialog/unit/ok");
     driver.settle();
     CHECK(driver.document().unit == LengthUnit::Inch);
@@ -101,7 +101,7 @@ TEST_CASE("Unit: scaled coordinates keep their formulas") {
     driver.context().document.apply(document, "Formula");
     REQUIRE(driver.document().formulas.contains(width));
     openUnit(driver);
-    driver.click("dialog/unit/unit/1"); // millimetres
+    driver.click("dialog/unit/unit/mm");
     driver.settle();
     driver.click("dialog/unit/ok");
     driver.settle();
@@ -123,7 +123,7 @@ TEST_CASE("Unit: the dialog scales the drawing or keeps its numbers, in one step
     Draughtsman driver;
     drawIn(driver, LengthUnit::Millimetre);
     openUnit(driver);
-    driver.click("dialog/unit/unit/cm"); // centimetres
+    driver.click("dialog/unit/unit/cm");
     driver.settle();
     REQUIRE(driver.has("dialog/unit/way/Scale the coordinates"));
     driver.click("dialog/unit/ok");
@@ -136,7 +136,7 @@ TEST_CASE("Unit: the dialog scales the drawing or keeps its numbers, in one step
     CHECK(driver.document().unit == LengthUnit::Millimetre);
     CHECK(corner(driver).x == 5.0);
     openUnit(driver);
-    driver.click("dialog/unit/unit/m"); // metres
+    driver.click("dialog/unit/unit/m");
     driver.click("dialog/unit/way/Keep the numbers");
     driver.key(key::kEnter);
     driver.settle();
