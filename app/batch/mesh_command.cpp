@@ -46,12 +46,12 @@ namespace {
 /// What to mesh, and where a picture of sizes lies.
 struct ReadJob {
     MeshingJob job;
-    Box2 box;                                 ///< of the domain
-    std::optional<BackgroundPicture> picture; ///< of a project
-    MeshLimits limits;                        ///< of a project
-    LengthUnit unit = LengthUnit::None;       ///< of the coordinates
-    MapSystem system = {};                    ///< of the coordinates of a map
-    std::vector<PeriodicSpec> periodicOfMesh; ///< parts that nobody asked for
+    Box2 box;                                      ///< of the domain
+    std::optional<BackgroundPicture> picture;      ///< of a project
+    MeshLimits limits;                             ///< of a project
+    LengthUnit unit = LengthUnit::None;            ///< of the coordinates
+    MapSystem system = {};                         ///< of the coordinates of a map
+    std::vector<PeriodicSpec> periodicOfMesh = {}; ///< parts that nobody asked for
 };
 
 /// Reads the domain of any file with its element sizes, and also options if the file is a project.

@@ -106,7 +106,11 @@ Result<DomainFile> domainFrom(const Format &format, const SourceText &source) {
                         " of periodic parts that lie inside the domain or meet a crack; expected parts of its boundary",
                     0);
     }
-    return DomainFile{std::move(outline->domain), {}, std::move(outline->cracks), std::move(outline->periodic)};
+    DomainFile file;
+    file.domain = std::move(outline->domain);
+    file.cracks = std::move(outline->cracks);
+    file.periodic = std::move(outline->periodic);
+    return file;
 }
 
 Result<DomainFile> FormatList::readDomain(const std::filesystem::path &path, const ImportOptions &options,

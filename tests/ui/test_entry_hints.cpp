@@ -134,7 +134,7 @@ TEST_CASE("Hints: what they say of the next numbers is what these numbers do") {
 }
 
 TEST_CASE("Hints: what does not fit into the options bar is left out by sentences") {
-    Drawer drawer("rectangle");
+    Drawer drawer("ellipse");
     const std::string whole = drawer.hint();
     REQUIRE(whole.find(". ") != std::string::npos);
     drawer.settle();

@@ -102,7 +102,7 @@ TEST_CASE("Elevations: the formats hold them, read them back, or note that they 
             }
         }
     }
-    CHECK(readers == 6); // MSH in three forms, VTU, XDMF, 2DM
+    CHECK(readers == 8); // MSH in three forms, VTU, XDMF, 2DM, fort.14, gr3
     const TriMesh square = samples::square(1, 1);
     MeshView squareView(square);
     const std::vector<double> slope = *elevationsOf(square, "0.5 - x");

@@ -127,7 +127,8 @@ TEST_CASE("Read cells: each format reads back each kind that it writes, with mid
     }
     std::size_t written = 0;
     for (const FileFormat &format : allFormats().list()) {
-        if (!format.writesMesh || !format.readsMesh) {
+        const bool keepsKinds = format.hasOpenBoundaries; // of boundaries alone, without tags
+        if (!format.writesMesh || !format.readsMesh || keepsKinds) {
             continue;
         }
         CAPTURE(format.id);

@@ -2,7 +2,7 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/domain/add_loop.hpp"
-#include "core/engine/mapped/node_grid.hpp"
+#include "core/engine/mapped/row_grid.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
@@ -234,7 +234,7 @@ TEST_CASE("Mapped faces: too many elements are refused before they are made, and
     const Result<MeshingOutcome> outcome = meshDomain(job);
     REQUIRE_FALSE(outcome);
     CHECK(outcome.faults().front().code == "too-many-elements");
-    NodeGrid grid(2, 2);
+    RowGrid grid(2, 2);
     for (std::size_t i = 0; i <= 2; ++i) {
         for (std::size_t j = 0; j <= 2; ++j) {
             grid.at(i, j) = {static_cast<double>(i), static_cast<double>(j)};
@@ -297,8 +297,8 @@ TEST_CASE("Mapped faces: cracks and periodic sides") {
     CHECK(meshed(job).mesh.periodic.size() == 1);
 }
 
-TEST_CASE("NodeGrid: straight sides give a lattice, and Winslow's equations undo a fold") {
-    NodeGrid grid(4, 3);
+TEST_CASE("RowGrid: straight sides give a lattice, and Winslow's equations undo a fold") {
+    RowGrid grid(4, 3);
     for (std::size_t i = 0; i <= 4; ++i) {
         for (std::size_t j = 0; j <= 3; ++j) {
             if (i == 0 || i == 4 || j == 0 || j == 3) {

@@ -102,9 +102,10 @@ std::uint64_t sumOf(const DividedLines &lines, const CountedSide &side) {
 }
 
 /// Pairs of sides that must have equal numbers.
-std::vector<std::array<CountedSide, 2>> oppositeSides(const DividedLines &lines, std::span<const MappedFace> faces) {
+std::vector<std::array<CountedSide, 2>> oppositeSides(const DividedLines &lines,
+                                                      std::span<const TransfiniteFace> faces) {
     std::vector<std::array<CountedSide, 2>> pairs;
-    for (const MappedFace &face : faces) {
+    for (const TransfiniteFace &face : faces) {
         const auto side = [&](std::size_t k) { return countedSide(lines, face.sides[k]); };
         if (face.sides.size() == 3) {
             pairs.push_back({side(0), side(2)});
@@ -131,7 +132,7 @@ Diagnostics unequal(const Domain &domain, const CountedSide &fewer, std::uint64_
 /// Raises numbers until opposite sides are equal, or one of them has more than the limit.
 Status equalise(const MappedDivision &division, DividedLines &lines, const Progress &progress) {
     const Domain &domain = division.domain;
-    const std::span<const MappedFace> faces = division.faces;
+    const std::span<const TransfiniteFace> faces = division.faces;
     const std::vector<std::array<CountedSide, 2>> pairs = oppositeSides(lines, faces);
     std::uint64_t total = 0, raised = 0;
     for (const auto &pair : pairs) {
@@ -202,8 +203,8 @@ std::uint32_t numberOfOwnCurve(Domain &domain, const CurveChain &chain, std::uin
 }
 
 /// Counts the cells of all faces.
-void countCells(const DividedLines &lines, std::span<const MappedFace> faces, MappedNumbers &numbers) {
-    for (const MappedFace &face : faces) {
+void countCells(const DividedLines &lines, std::span<const TransfiniteFace> faces, MappedNumbers &numbers) {
+    for (const TransfiniteFace &face : faces) {
         const auto sum = [&](std::size_t k) {
             return static_cast<double>(sumOf(lines, countedSide(lines, face.sides[k])));
         };
@@ -232,7 +233,7 @@ Result<MappedNumbers> equalNumbers(const MappedDivision &division, const Discret
         numbers.biases.push_back(division.given[s] > 0 ? division.given.bias(s) : ElementBias{});
     }
     std::vector<bool> mapped(numbers.elements.size(), false);
-    for (const MappedFace &face : division.faces) {
+    for (const TransfiniteFace &face : division.faces) {
         for (const std::vector<std::uint32_t> &side : face.sides) {
             for (const std::uint32_t s : side) {
                 mapped[lines[s]] = true;

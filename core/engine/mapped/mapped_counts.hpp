@@ -15,7 +15,7 @@ namespace forefront {
 /// What the numbers of elements along the sides of mapped faces depend on. Refers to its parts.
 struct MappedDivision {
     const Domain &domain;
-    std::span<const MappedFace> faces;
+    std::span<const TransfiniteFace> faces;
     SegmentElements given;         ///< numbers of elements that must stay
     const PeriodicSides &periodic; ///< lines that are divided alike
     bool keepBoundary = false;     ///< no segment may be divided in another way

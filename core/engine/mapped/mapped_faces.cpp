@@ -62,7 +62,7 @@ class MappedSearch {
           name_(regionName(domain.regionNames, spec.region)) {}
 
     /// `used` receives the given corners that are nodes of the face.
-    Result<MappedFace> run(std::uint32_t face, std::set<std::size_t> &used) {
+    Result<TransfiniteFace> run(std::uint32_t face, std::set<std::size_t> &used) {
         FaceOutline outline;
         if (Status faults = findOutline(face, outline); !faults.empty()) {
             return faults;
@@ -194,8 +194,8 @@ class MappedSearch {
         return {};
     }
 
-    static MappedFace divided(const FaceOutline &outline, const std::vector<std::size_t> &corners) {
-        MappedFace face;
+    static TransfiniteFace divided(const FaceOutline &outline, const std::vector<std::size_t> &corners) {
+        TransfiniteFace face;
         const std::size_t n = outline.nodes.size();
         for (std::size_t c = 0; c < corners.size(); ++c) {
             face.corners.push_back(outline.nodes[corners[c]]);
@@ -230,11 +230,11 @@ std::vector<bool> nodesInsideCurves(const Domain &domain) {
 
 } // namespace
 
-Result<std::vector<MappedFace>> findMappedFaces(std::span<const MappedSpec> specs, const Domain &domain,
-                                                const DomainFaces &faces) {
+Result<std::vector<TransfiniteFace>> findMappedFaces(std::span<const MappedSpec> specs, const Domain &domain,
+                                                     const DomainFaces &faces) {
     const std::vector<bool> insideCurves = nodesInsideCurves(domain);
     const PartsOfFaces parts(domain, faces);
-    std::vector<MappedFace> found;
+    std::vector<TransfiniteFace> found;
     std::set<std::int32_t> seen;
     for (const MappedSpec &spec : specs) {
         const std::string name = regionName(domain.regionNames, spec.region);
@@ -250,7 +250,7 @@ Result<std::vector<MappedFace>> findMappedFaces(std::span<const MappedSpec> spec
                 continue;
             }
             if (faces.labels.tag[face] == spec.region) {
-                Result<MappedFace> mapped = search.run(face, used);
+                Result<TransfiniteFace> mapped = search.run(face, used);
                 if (!mapped) {
                     return mapped.faults();
                 }

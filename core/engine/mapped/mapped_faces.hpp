@@ -11,7 +11,7 @@
 namespace forefront {
 
 /// A face of a domain that is filled by rows of elements.
-struct MappedFace {
+struct TransfiniteFace {
     std::uint32_t region = 0; ///< index into DiscreteDomain::regions
     std::vector<std::uint32_t>
         corners; ///< 3 or 4 nodes of the domain, counter-clockwise; of 3, the rows meet at the first
@@ -26,7 +26,7 @@ struct MappedFace {
 /// Errors, with their places: unknown-region (no face has the tag), repeated-mapped (a region is given twice),
 /// mapped-outline (a face has holes, or lines or points inside, or touches itself), mapped-corners (the corners are
 /// not 3 or 4, a given one is not a node of a face, or it lies inside a curve).
-Result<std::vector<MappedFace>> findMappedFaces(std::span<const MappedSpec> specs, const Domain &domain,
-                                                const DomainFaces &faces);
+Result<std::vector<TransfiniteFace>> findMappedFaces(std::span<const MappedSpec> specs, const Domain &domain,
+                                                     const DomainFaces &faces);
 
 } // namespace forefront

@@ -5,7 +5,7 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/geometry/polygon.hpp"
 #include "core/engine/geometry/predicates.hpp"
-#include "core/engine/mapped/node_grid.hpp"
+#include "core/engine/mapped/row_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ struct RowOutline {
 /// Returns the outlines of faces as the boundary divides them.
 class RowOutlines {
   public:
-    RowOutlines(const Domain &domain, std::span<const MappedFace> faces, const DiscreteDomain &boundary)
+    RowOutlines(const Domain &domain, std::span<const TransfiniteFace> faces, const DiscreteDomain &boundary)
         : domain_(domain), boundary_(boundary) {
         for (std::size_t f = 0; f < faces.size(); ++f) {
             faceOf_[faces[f].region] = f;
@@ -45,7 +45,7 @@ class RowOutlines {
 
     bool isMapped(std::uint32_t region) const { return faceOf_.contains(region); }
 
-    RowOutline of(std::size_t f, const MappedFace &face) const {
+    RowOutline of(std::size_t f, const TransfiniteFace &face) const {
         RowOutline outline;
         const std::map<std::uint32_t, std::uint32_t> &next = next_[f];
         const Vec2 first = domain_.nodes[face.corners.front()];
@@ -77,7 +77,7 @@ class RowBuilder {
     RowBuilder(const DiscreteDomain &boundary, BoundaryLayers &rows, bool quads, const Progress &progress)
         : boundary_(boundary), rows_(rows), quads_(quads), progress_(progress) {}
 
-    Status fill(const MappedFace &face, const RowOutline &outline) {
+    Status fill(const TransfiniteFace &face, const RowOutline &outline) {
         const auto count = [&](std::size_t k) { return outline.corners[k + 1] - outline.corners[k]; };
         const std::size_t across = count(1), along = count(0), sides = face.corners.size();
         if (count(0) != count(2) || (sides == 4 && count(1) != count(3))) {
@@ -85,7 +85,7 @@ class RowBuilder {
                          "give them equal numbers of elements", at(outline.nodes.front()));
         }
         ids_.assign((along + 1) * (across + 1), kNoIndex);
-        NodeGrid grid(along, across);
+        RowGrid grid(along, across);
         columns_ = across + 1;
         const auto around = [&](std::size_t k) { return outline.nodes[k % outline.nodes.size()]; };
         const auto set = [&](std::size_t i, std::size_t j, std::uint32_t node) {
@@ -123,7 +123,7 @@ class RowBuilder {
     }
     Vec2 at(std::uint32_t node) const { return boundary_.nodes[node]; }
 
-    void addNodes(const NodeGrid &grid) {
+    void addNodes(const RowGrid &grid) {
         for (std::size_t i = 1; i < grid.along(); ++i) {
             for (std::size_t j = 1; j < grid.across(); ++j) {
                 ids_[i * columns_ + j] = static_cast<std::uint32_t>(boundary_.nodes.size() + rows_.inner.size());
@@ -131,7 +131,7 @@ class RowBuilder {
             }
         }
     }
-    void addCells(const NodeGrid &grid, std::uint32_t region) {
+    void addCells(const RowGrid &grid, std::uint32_t region) {
         const auto id = [&](std::size_t i, std::size_t j) { return ids_[i * columns_ + j]; };
         for (std::size_t i = 0; i < grid.along(); ++i) {
             for (std::size_t j = 0; j < grid.across(); ++j) {
@@ -208,7 +208,7 @@ TriMesh nodesOf(const DiscreteDomain &boundary) {
     return mesh;
 }
 
-Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const MappedFace> faces,
+Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const TransfiniteFace> faces,
                                   const DiscreteDomain &boundary, bool quads, const Progress &progress) {
     BoundaryLayers rows;
     const RowOutlines outlines(domain, faces, boundary);

@@ -20,7 +20,7 @@ namespace forefront {
 ///
 /// `boundary`: discretised with equal numbers of edges on opposite sides. Errors: mapped-sides (the numbers differ),
 /// mapped-inverted (an element is inverted, with its place), cancelled. The caller limits the number of elements.
-Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const MappedFace> faces,
+Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const TransfiniteFace> faces,
                                   const DiscreteDomain &boundary, bool quads, const Progress &progress = {});
 
 /// Returns a mesh without elements that has the nodes, curves and names of a boundary.

@@ -61,7 +61,7 @@ Status mappedStage(MeshingState &state, const Progress &progress) {
         return {};
     }
     progress("filling mapped faces", 0.0);
-    const Result<std::vector<MappedFace>> faces = findMappedFaces(job.mapped, job.domain, state.faces);
+    const Result<std::vector<TransfiniteFace>> faces = findMappedFaces(job.mapped, job.domain, state.faces);
     if (!faces) {
         return faces.faults();
     }

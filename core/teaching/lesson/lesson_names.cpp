@@ -15,9 +15,10 @@ constexpr std::string_view kLayers[] = {"picture", "domain",     "size",        
                                         "mesh",    "regions",    "grid",        "boundary",   "front",
                                         "tests",   "candidates", "improvement", "guides",     "sketch",
                                         "marks",   "labels",     "numbers",     "dimensions", "faults"};
-constexpr std::string_view kPanels[] = {"shapes", "inspector",  "names",  "parameters", "spacing",   "meshing",
-                                        "steps",  "candidates", "rules",  "statistics", "histogram", "probe",
-                                        "checks", "adapt",      "layers", "history",    "log",       "worst"};
+constexpr std::string_view kPanels[] = {"shapes",    "inspector", "names",      "parameters", "spacing",
+                                        "meshing",   "steps",     "candidates", "rules",      "statistics",
+                                        "histogram", "probe",     "checks",     "adapt",      "layers",
+                                        "history",   "log",       "worst",      "nodes"};
 constexpr std::string_view kTools[] = {"select",  "polygon",  "polyline", "rectangle", "circle", "ellipse",
                                        "regular", "slot",     "arc",      "point",     "trim",   "region",
                                        "source",  "gradient", "brush",    "eraser",    "probe",  "trace",

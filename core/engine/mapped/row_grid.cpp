@@ -1,4 +1,4 @@
-#include "core/engine/mapped/node_grid.hpp"
+#include "core/engine/mapped/row_grid.hpp"
 
 #include "core/engine/geometry/predicates.hpp"
 
@@ -34,7 +34,7 @@ double leastSine(Vec2 a, Vec2 b, Vec2 c) {
 
 } // namespace
 
-void NodeGrid::interpolate() {
+void RowGrid::interpolate() {
     const std::size_t n = along_, m = across_;
     const auto low = lengthFractions(n, [&](std::size_t i) { return at(i, 0); });
     const auto high = lengthFractions(n, [&](std::size_t i) { return at(i, m); });
@@ -54,7 +54,7 @@ void NodeGrid::interpolate() {
     }
 }
 
-std::optional<NodeGrid::Cell> NodeGrid::invertedCell(bool triangles) const {
+std::optional<RowGrid::Cell> RowGrid::invertedCell(bool triangles) const {
     for (std::size_t i = 0; i < along_; ++i) {
         for (std::size_t j = 0; j < across_; ++j) {
             const auto [a, b, c, d] = corners(i, j);
@@ -68,12 +68,12 @@ std::optional<NodeGrid::Cell> NodeGrid::invertedCell(bool triangles) const {
     return std::nullopt;
 }
 
-Vec2 NodeGrid::cellCentre(Cell cell) const {
+Vec2 RowGrid::cellCentre(Cell cell) const {
     const auto [a, b, c, d] = corners(cell.first, cell.second);
     return 0.25 * (a + b + c + d);
 }
 
-void NodeGrid::smoothOnce() {
+void RowGrid::smoothOnce() {
     for (std::size_t i = 1; i < along_; ++i) {
         for (std::size_t j = 1; j < across_; ++j) {
             const Vec2 xu = 0.5 * (at(i + 1, j) - at(i - 1, j)), xv = 0.5 * (at(i, j + 1) - at(i, j - 1));
@@ -88,7 +88,7 @@ void NodeGrid::smoothOnce() {
     }
 }
 
-bool NodeGrid::smoothUntilValid(bool triangles, const Progress &progress) {
+bool RowGrid::smoothUntilValid(bool triangles, const Progress &progress) {
     constexpr int kRounds = 40, kSweeps = 25; // information crosses a cell per sweep
     for (int round = 0; round < kRounds; ++round) {
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -104,7 +104,7 @@ bool NodeGrid::smoothUntilValid(bool triangles, const Progress &progress) {
     return false;
 }
 
-bool NodeGrid::firstDiagonal(std::size_t i, std::size_t j) const {
+bool RowGrid::firstDiagonal(std::size_t i, std::size_t j) const {
     const auto [a, b, c, d] = corners(i, j);
     const bool valid = orientation(a, b, c) > 0 && orientation(a, c, d) > 0;
     const bool other = orientation(a, b, d) > 0 && orientation(b, c, d) > 0;

@@ -14,9 +14,9 @@ namespace forefront {
 /// The nodes of a face in rows: (along + 1) by (across + 1) places. Seen along the first index, the second one counts
 /// to the left, so that the cells with corners (i, j), (i+1, j), (i+1, j+1), (i, j+1) are counter-clockwise. The places
 /// with i = 0 may all be equal.
-class NodeGrid {
+class RowGrid {
   public:
-    NodeGrid(std::size_t along, std::size_t across)
+    RowGrid(std::size_t along, std::size_t across)
         : along_(along), across_(across), places_((along + 1) * (across + 1)) {}
 
     std::size_t along() const { return along_; }
