@@ -15,7 +15,7 @@ namespace {
 
 /// Draws with one tool by numbers, and reads its hints.
 struct Drawer : Draughtsman {
-    explicit Drawer(std::string_view tool) { use(tool); }
+    explicit Drawer(std::string_view tool, PixelSize size = {1280, 800}) : Draughtsman({}, size) { use(tool); }
     void use(std::string_view tool) {
         context().tools.choose(tool, context());
         moveToPlace({5, 5});
@@ -134,7 +134,7 @@ TEST_CASE("Hints: what they say of the next numbers is what these numbers do") {
 }
 
 TEST_CASE("Hints: what does not fit into the options bar is left out by sentences") {
-    Drawer drawer("ellipse");
+    Drawer drawer("ellipse", {1600, 900});
     const std::string whole = drawer.hint();
     REQUIRE(whole.find(". ") != std::string::npos);
     drawer.settle();
