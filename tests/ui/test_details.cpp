@@ -95,6 +95,17 @@ TEST_CASE("Export: the suggested name is the name of the document, saved or not"
     driver.click("dialog/export/ok");
     driver.settle();
     CHECK(std::filesystem::exists(place.path / "bay.su2"));
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+    CHECK(driver.has("dialog/export/names"));
+    driver.fill("dialog/export/name", "fine.su2"); // Enter exports
+    driver.settle();
+    REQUIRE(std::filesystem::remove(place.path / "fine.su2"));
+    driver.key('E', {Modifiers::kControl}); // and its name
+    driver.settle();
+    driver.click("dialog/export/ok");
+    driver.settle();
+    CHECK(std::filesystem::exists(place.path / "fine.su2"));
 }
 
 TEST_CASE("Faults: a fault is marked on the canvas as soon as it is drawn, without meshing") {

@@ -1,17 +1,20 @@
 #include "ui/dialogs/export_dialog.hpp"
 
+#include "core/drawing/names/region_commands.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/letter_case.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/mesh/element_words.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -139,6 +142,27 @@ std::vector<FilePreset> solverPresets() {
     return presets;
 }
 
+/// Names the boundary parts and regions as the file will have them.
+void drawPartNames(Shell &context) {
+    const Document &document = *context.document.current();
+    if (context.run.showsFile()) {
+        return; // its names are not those of the drawing
+    }
+    std::string names;
+    const auto add = [&names](const std::string &name) { names += (names.empty() ? "" : ", ") + name; };
+    for (const std::int32_t tag : boundaryTags(document)) {
+        add(boundaryName(document.boundaryNames, tag));
+    }
+    for (const auto &[tag, name] : document.regionNames) {
+        add(name);
+    }
+    ImGui::AlignTextToFramePadding();
+    const float room = ImGui::GetContentRegionAvail().x;
+    ui::muted(context, ui::oneLine("Names: " + names, room));
+    ui::mark(context, "dialog/export/names");
+    ui::tooltip(context, "Boundary parts and regions; F2 names what is selected. " + names);
+}
+
 /// Asks whether to export tagged edges inside the domain, or says why they are left out.
 void drawInnerEdges(Shell &context, const FileFilter &filter, bool &keep) {
     if (acceptsInnerEdges({}, filter.id)) {
@@ -240,20 +264,24 @@ void exportMesh(Shell &context, std::string_view proposed) {
     request.filter = last != request.filters.end() ? static_cast<std::size_t>(last - request.filters.begin()) : 0;
     const std::filesystem::path &document = context.document.path();
     request.folder = document.parent_path();
-    request.name = baseName(context.document) + request.filters[request.filter].extensions.front();
+    const bool again = !context.exported.first.empty() && context.exported.second == context.document.loads();
+    const std::string stem = again ? context.exported.first : baseName(context.document);
+    request.name = stem + request.filters[request.filter].extensions.front();
     request.writes = [](const std::filesystem::path &file, const FileFilter &filter) {
         return filesOfMesh(file, filter.id);
     };
     const auto keepsInnerEdges = std::make_shared<bool>(true);
     request.chosen = [keepsInnerEdges](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         c.settings.exportFormat = filter.id;
+        c.exported = {file.stem().string(), c.document.loads()};
         const bool keep = *keepsInnerEdges && acceptsInnerEdges(file, filter.id);
         return write(c, file, filter, keep ? InnerEdges::Keep : InnerEdges::Drop);
     };
     request.presets = solverPresets();
-    request.extraLines = 2;
+    request.extraLines = 3;
     request.extra = [keepsInnerEdges, asked = false](Shell &c, const FileFilter &filter) mutable {
         const bool ready = drawMeshLine(c, asked);
+        drawPartNames(c);
         const bool held = ready && drawHeld(c, filter);
         if (held || !ready) {
             drawInnerEdges(c, filter, *keepsInnerEdges);

@@ -25,6 +25,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -73,8 +74,11 @@ struct Shell : Workspace {
     std::vector<UnsavedDrawing> unsaved; ///< that can be recovered
     std::uint64_t newsDismissed = 0;     ///< number of the last entry when messages on the canvas were dismissed
     std::uint64_t logSeen = 0;           ///< number of the last entry of the log that was seen in its drawer
-    bool contextMenu = false;            ///< a tool asks for the menu of the selection at the pointer
-    ContextMenu menu;                    ///< see contextMenu; panels and tools can open other ones
+    /// Name of the file that the mesh of a document was exported to last, without its extension, and
+    /// DocumentStore::loads() of the document.
+    std::pair<std::string, std::uint64_t> exported;
+    bool contextMenu = false; ///< a tool asks for the menu of the selection at the pointer
+    ContextMenu menu;         ///< see contextMenu; panels and tools can open other ones
     MenuKeys menuKeys;
     Naming naming;
     DimensionEntry dimensionEntry;
