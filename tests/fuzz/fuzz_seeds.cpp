@@ -356,11 +356,18 @@ std::vector<std::string> seeds(const Target &target) {
                                   : List{anyBytes(1), tinyEdge()};
     }
     std::vector<std::string> list = handMade(target.name);
-    if (target.format->writeMesh != nullptr) {
-        list.push_back(text(target.format->writeMesh));
+    if (target.format->writesText()) {
+        const auto asText = [&target](const MeshView &mesh) {
+            StringSink sink;
+            TextWriter out(sink);
+            target.format->write(mesh, {}, out);
+            out.flush();
+            return std::move(sink.text);
+        };
+        list.push_back(asText(smallMesh()));
         for (const Mesh &mesh : {smallCells(false), smallCells(true), smallCells(true, true)}) {
             if (checkElements(target.format->about, mesh).empty()) {
-                list.push_back(text(target.format->writeMesh, mesh));
+                list.push_back(asText(mesh));
             }
         }
     }

@@ -13,6 +13,8 @@
 #include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/number_field.hpp"
 
+#include <imgui.h>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -74,13 +76,13 @@ std::string diameterIn(std::string_view radius) {
     return std::string(inner);
 }
 
-void diameterRow(Shell &context, const Shape &circle) {
+void diameterField(Shell &context, const Shape &circle) {
     const Document &document = *context.document.current();
     const NumberAddress address = addressOf(circle, Quantity::Radius);
     const auto given = document.formulas.find(address);
     std::string formula = given != document.formulas.end() ? diameterIn(given->second) : std::string();
     double diameter = 2.0 * circleRadius(circle);
-    form::label(context, "Diameter");
+    ImGui::SameLine(0, context.px(6));
     if (ui::inputExpression(context, "inspector/diameter", diameter, formula, -1.0F, document.unit)) {
         Result<Document> next = setRadius(document, circle.id, 0.5 * diameter);
         if (next) {
@@ -88,6 +90,7 @@ void diameterRow(Shell &context, const Shape &circle) {
         }
         context.applyCommand(std::move(next), "Resize circle");
     }
+    ui::tooltip(context, "Diameter");
 }
 
 void drawCircle(Shell &context, const Shape &shape) {
@@ -97,10 +100,12 @@ void drawCircle(Shell &context, const Shape &shape) {
     if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
         context.applyCommand(setHandle(document, {shape.id, 0}, centre), "Move circle");
     }
-    if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, Quantity::Radius))) {
+    form::label(context, "Radius, \xe2\x88\x85");
+    if (ui::inputNumber(context, "inspector/radius", radius, form::halfWidth(context),
+                        addressOf(shape, Quantity::Radius))) {
         context.applyCommand(setRadius(document, shape.id, radius), "Resize circle");
     }
-    diameterRow(context, shape);
+    diameterField(context, shape);
 }
 
 void drawPoint(Shell &context, const Shape &shape) {
@@ -186,6 +191,9 @@ void geometryRows(Shell &context, const Shape &shape) {
         [&](const RectangleForm &) { drawRectangle(context, shape); },
         [&](const CircleForm &) { drawCircle(context, shape); }, [&](const PointForm &) { drawPoint(context, shape); },
         [&](const EllipseForm &) { drawEllipse(context, shape); }, [&](const SlotForm &) { drawSlot(context, shape); });
+}
+
+void extentRows(Shell &context, const Shape &shape) {
     if (shape.is<PointForm>()) {
         return;
     }

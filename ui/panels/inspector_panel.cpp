@@ -214,7 +214,6 @@ void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const 
 void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
     inspectorHeading(context, displayName(shape));
-    useRow(context, {shape.id}, shape.use);
     if (shape.segmentTags.empty()) {
         boundaryTagRow(context, shape.tag, {.shapes = {shape.id}, .segments = {}});
     } else {
@@ -239,6 +238,8 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     if (shape.segmentTags.empty()) {
         partSizeRow(context, shape.tag);
     }
+    extentRows(context, shape);
+    useRow(context, {shape.id}, shape.use);
     ImGui::Dummy({0, context.px(2)});
     drawShapeButtons(context, shape);
 }
