@@ -62,6 +62,10 @@ std::vector<double> numbersIn(std::string_view text, char separator, std::size_t
 
 } // namespace
 
+std::optional<double> numberIn(std::string_view text) {
+    return parse<double>(text);
+}
+
 CLI::Validator positiveNumber() {
     return check("a positive number", [](const std::string &text) {
         const auto value = parse<double>(text);

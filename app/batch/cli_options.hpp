@@ -27,6 +27,9 @@ CLI::Validator numberWithin(double minimum, double maximum);
 CLI::Validator wholeNumberWithin(int minimum, int maximum);
 CLI::Validator oneOf(std::span<const std::string_view> words);
 
+/// Returns the number that is the whole of a text, with or without a sign; nothing for any other text.
+std::optional<double> numberIn(std::string_view text);
+
 /// Adds an option whose value is a word of an enumeration. `Value` is the enumeration or a std::optional of it.
 template <class Enum, class Value>
 CLI::Option *addWordOption(CLI::App &app, const std::string &name, Value &value, const std::string &help) {

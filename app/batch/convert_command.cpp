@@ -7,6 +7,7 @@
 #include "app/batch/interrupt.hpp"
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_notes.hpp"
+#include "app/batch/output_formats.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/several_inputs.hpp"
@@ -99,21 +100,14 @@ void noteDroppedFields(const MeshFields &read, const Input &file) {
 /// Returns the faults of a mesh that a format of the outputs cannot hold, before anything is written.
 Diagnostics checkConverted(const Mesh &mesh, const ConvertArguments &arguments) {
     for (const Output &output : pairFormats(arguments.outputs, arguments.formats)) {
-        for (const FileFormat *format : output.format.empty() ? allFormats().withExtensionOf(output.path)
-                                                              : std::vector{allFormats().withId(output.format)}) {
-            if (!format->writesMesh) {
-                continue;
-            }
-            Diagnostics faults = checkExport(*format, mesh, exportOptionsOf(arguments.form, mesh));
-            for (Diagnostic &fault : faults) {
-                fault.file = isStandardStream(output.path) ? "" : output.path.string();
-                fault.advice += fault.advice.empty() ? "split the elements with --triangles"
-                                                     : ", or split the elements with --triangles";
-            }
-            if (!faults.empty()) {
-                return faults;
-            }
-            break; // the first one with the extension is written
+        Diagnostics faults = checkExport(*formatOf(output), mesh, exportOptionsOf(arguments.form, mesh));
+        for (Diagnostic &fault : faults) {
+            fault.file = isStandardStream(output.path) ? "" : output.path.string();
+            fault.advice += fault.advice.empty() ? "split the elements with --triangles"
+                                                 : ", or split the elements with --triangles";
+        }
+        if (!faults.empty()) {
+            return faults;
         }
     }
     return {};

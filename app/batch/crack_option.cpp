@@ -1,6 +1,6 @@
 #include "app/batch/crack_option.hpp"
 
-#include "app/batch/part_names.hpp"
+#include "app/batch/named_tags.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -18,7 +18,7 @@ Diagnostics applyCracks(const CrackArguments &arguments, const Domain &domain, s
     if (arguments.dropsOthers) {
         cracks.clear();
     }
-    const PartNames parts(domain);
+    const NamedTags parts = NamedTags::ofParts(domain);
     for (const std::string &name : arguments.names) {
         const std::optional<std::int32_t> tag = parts.find(name);
         if (!tag) {

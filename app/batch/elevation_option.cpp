@@ -1,47 +1,20 @@
 #include "app/batch/elevation_option.hpp"
 
 #include "app/batch/inputs.hpp"
-#include "core/drawing_files/drawing_formats.hpp"
+#include "app/batch/output_formats.hpp"
 #include "core/engine/base/letter_case.hpp"
 #include "core/files/elevations.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace forefront {
-
-namespace {
-
-std::string formatsWithElevations() {
-    std::string list;
-    for (const FileFormat &format : allFormats().list()) {
-        if (format.holdsElevations) {
-            list += (list.empty() ? "" : ", ") + std::string(format.id);
-        }
-    }
-    return list;
-}
-
-bool holdsElevations(const Output &output) {
-    if (!output.format.empty()) {
-        return allFormats().withId(output.format)->holdsElevations;
-    }
-    for (const FileFormat *format : allFormats().withExtensionOf(output.path)) {
-        if (format->writesMesh) {
-            return format->holdsElevations;
-        }
-    }
-    return false;
-}
-
-} // namespace
 
 void addElevationOption(CLI::App &app, std::optional<std::string> &elevation) {
     app.add_option("--elevation", elevation,
                    "elevations of the nodes: an ESRI ASCII grid (.asc), a GeoTIFF raster (.tif), or an expression of x "
                    "and y such as -5-0.01*x; "
                    "depths are the same with the other sign; formats: " +
-                       formatsWithElevations())
+                       idsOf(&FileFormat::holdsElevations))
         ->type_name("FILE|EXPR");
 }
 
@@ -49,7 +22,7 @@ std::string checkElevation(const std::optional<std::string> &elevation, const st
     if (!elevation) {
         return {};
     }
-    if (std::any_of(outputs.begin(), outputs.end(), holdsElevations)) {
+    if (anyHas(outputs, &FileFormat::holdsElevations)) {
         std::error_code none;
         if (isElevationFile(*elevation)) {
             return std::filesystem::exists(*elevation, none) ? "" : "--elevation: file " + *elevation + " not found";
@@ -57,7 +30,7 @@ std::string checkElevation(const std::optional<std::string> &elevation, const st
         const Result<std::vector<double>> compiled = elevationsOf(TriMesh(), *elevation);
         return compiled ? "" : "--elevation: " + compiled.faults().front().message;
     }
-    return "--elevation: no output holds elevations; write one of the formats " + formatsWithElevations();
+    return "--elevation: no output holds elevations; write one of the formats " + idsOf(&FileFormat::holdsElevations);
 }
 
 bool isElevationFile(const std::string &elevation) {

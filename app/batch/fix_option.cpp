@@ -1,5 +1,6 @@
 #include "app/batch/fix_option.hpp"
 
+#include "app/batch/cli_options.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/option_notes.hpp"
 #include "core/drawing/commands/limit_fix.hpp"
@@ -7,10 +8,10 @@
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/base/number_text.hpp"
 
-#include <charconv>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,16 +26,14 @@ std::string readLimit(const std::string &text, MeshLimits &limits) {
     if (!limit) {
         return "unknown limit '" + text.substr(0, equals) + "'; expected " + wordList<MeshLimit>();
     }
-    const std::string number = text.substr(std::min(equals + 1, text.size()));
-    double value = 0.0;
-    const auto [end, status] = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (status != std::errc() || end != number.data() + number.size()) {
+    const std::optional<double> value = numberIn(std::string_view(text).substr(std::min(equals + 1, text.size())));
+    if (!value) {
         return "expected NAME=VALUE, such as max-growth=2, got '" + text + '\'';
     }
-    if (const std::string fault = limitFault(*limit, value); !fault.empty()) {
+    if (const std::string fault = limitFault(*limit, *value); !fault.empty()) {
         return std::string(wordOf(*limit)) + ": " + fault;
     }
-    limits[*limit] = value;
+    limits[*limit] = *value;
     return {};
 }
 

@@ -1,12 +1,11 @@
 #include "app/batch/layers_option.hpp"
 
+#include "app/batch/cli_options.hpp"
+#include "app/batch/named_tags.hpp"
 #include "app/batch/suggestion.hpp"
-#include "core/files/common/names.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <map>
 #include <optional>
 #include <string_view>
 
@@ -15,12 +14,6 @@ namespace forefront {
 namespace {
 
 constexpr const char *kKeys = "first, growth, count, thickness or type";
-
-std::optional<double> numberOf(std::string_view text) {
-    double value = 0.0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return fault == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
 
 /// Sets one value of a specification. Returns what is wrong.
 std::string setValue(std::string_view key, std::string_view value, LayerSpec &spec) {
@@ -31,7 +24,7 @@ std::string setValue(std::string_view key, std::string_view value, LayerSpec &sp
                      : "unknown type '" + std::string(value) + "'; expected " + wordList<LayerCells>() +
                            suggestion(value, wordsOf<LayerCells>());
     }
-    const std::optional<double> number = numberOf(value);
+    const std::optional<double> number = numberIn(value);
     if (!number) {
         return "expected a number for " + std::string(key) + ", got '" + std::string(value) + "'";
     }
@@ -104,33 +97,16 @@ std::string parseLayers(const std::vector<std::string> &texts, std::vector<Layer
 }
 
 Diagnostics applyLayers(const std::vector<LayersArgument> &layers, MeshingJob &job) {
-    std::map<std::int32_t, std::string> parts;
-    for (const DomainSegment &segment : job.domain.segments) {
-        parts.try_emplace(segment.tag, boundaryName(job.domain.boundaryNames, segment.tag));
-    }
+    const NamedTags parts = NamedTags::ofParts(job.domain);
     std::vector<LayerSpec> given;
     for (const LayersArgument &argument : layers) {
-        bool found = false;
-        for (const auto &[tag, name] : parts) {
-            const bool named =
-                std::any_of(parts.begin(), parts.end(), [&](const auto &part) { return part.second == argument.name; });
-            if (named ? name == argument.name : "boundary_" + std::to_string(tag) == argument.name) {
-                given.push_back(argument.spec);
-                given.back().tag = tag;
-                found = true;
-            }
+        const std::vector<std::int32_t> tags = parts.all(argument.name);
+        if (tags.empty()) {
+            return parts.unknown("--layers", argument.name);
         }
-        if (!found) {
-            std::vector<std::string> known;
-            known.reserve(parts.size());
-            for (const auto &[tag, name] : parts) {
-                known.push_back(name);
-            }
-            constexpr std::size_t kListed = 20;
-            const std::vector<std::string_view> words(known.begin(), known.end());
-            return error("unknown-boundary",
-                         "--layers: unknown boundary part " + argument.name + suggestion(argument.name, words),
-                         "expected one of " + listed(known, kListed));
+        for (const std::int32_t tag : tags) {
+            given.push_back(argument.spec);
+            given.back().tag = tag;
         }
     }
     std::erase_if(job.layers, [&](const LayerSpec &own) {

@@ -1,33 +1,19 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
-#include "app/batch/crack_option.hpp"
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/estimate_report.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/fix_option.hpp"
-#include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
-#include "app/batch/mapped_option.hpp"
-#include "app/batch/mesh_arguments.hpp"
-#include "app/batch/open_boundaries.hpp"
+#include "app/batch/mesh_job.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
-#include "app/batch/periodic_option.hpp"
 #include "app/batch/progress_bar.hpp"
-#include "app/batch/raster_option.hpp"
 #include "app/batch/report.hpp"
-#include "app/batch/rules_option.hpp"
 #include "app/batch/several_inputs.hpp"
 #include "app/batch/unit_option.hpp"
-#include "core/drawing/arrangement/repair/repair.hpp"
-#include "core/drawing/document/document.hpp"
-#include "core/drawing/domain/document_domain.hpp"
-#include "core/drawing/shapes/shape_geometry.hpp"
-#include "core/drawing_files/documents.hpp"
-#include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/large_elements.hpp"
-#include "core/engine/pipeline/optional_periodic.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/pipeline/target_elements.hpp"
 #include "core/engine/spacing/scaled_sizes.hpp"
@@ -42,145 +28,6 @@
 namespace forefront {
 
 namespace {
-
-/// What to mesh, and where a picture of sizes lies.
-struct ReadJob {
-    MeshingJob job;
-    Box2 box;                                      ///< of the domain
-    std::optional<BackgroundPicture> picture;      ///< of a project
-    MeshLimits limits;                             ///< of a project
-    LengthUnit unit = LengthUnit::None;            ///< of the coordinates
-    MapSystem system = {};                         ///< of the coordinates of a map
-    std::vector<PeriodicSpec> periodicOfMesh = {}; ///< parts that nobody asked for
-};
-
-/// Reads the domain of any file with its element sizes, and also options if the file is a project.
-Result<ReadJob> readJob(const Input &input, ImportNotes &notes) {
-    if (input.isProject()) {
-        const Result<Document> document = readDocument(input.path, input.options, &notes);
-        if (!document) {
-            return document.faults();
-        }
-        return ReadJob{jobOf(*document), boundsOf(*document), document->picture, document->limits, document->unit};
-    }
-    Result<DomainFile> file = allFormats().readDomain(input.path, input.options, &notes);
-    if (!file) {
-        return file.faults();
-    }
-    const Box2 box = file->domain.bounds();
-    MeshingJob job{std::move(file->domain), std::move(file->spacing), {}};
-    job.cracks = std::move(file->cracks);
-    job.periodic = file->periodic;
-    return ReadJob{std::move(job), box, {}, {}, file->unit, {}, std::move(file->periodic)};
-}
-
-/// Returns what is wrong with the options of a picture as spacing file; empty if nothing is.
-std::string checkPicture(const MeshArguments &arguments, const Input &file) {
-    const FileFormat *const format = file.format();
-    const bool picture = format != nullptr && format->kind == FileKind::Picture;
-    if (picture && !arguments.pictureSizes) {
-        return "--spacing-file: a picture needs sizes for black and white; add --picture-sizes BLACK:WHITE";
-    }
-    return picture || (!arguments.pictureSizes && !arguments.pictureBox)
-               ? std::string()
-               : "--picture-sizes, --picture-box: " + file.path.string() + " is not a picture; expected a PNG file";
-}
-
-/// Sets the parameters of the input. Returns what is wrong with options that depend on the formats of the files; empty
-/// if nothing is.
-std::string checkFiles(const MeshArguments &arguments, Input &input, const std::optional<Input> &spacingFile) {
-    std::string wrong = checkDrawingOptions(arguments.drawing, input, arguments.repair);
-    wrong = wrong.empty() ? setParameters(input, arguments.parameters) : wrong;
-    return wrong.empty() && spacingFile ? checkPicture(arguments, *spacingFile) : wrong;
-}
-
-/// Returns the sizes of a picture with its place. Fault: turned-picture.
-Result<std::optional<PictureSizes>> placedPicture(const MeshArguments &arguments, const Input &file,
-                                                  const ReadJob &job) {
-    std::optional<PictureSizes> sizes = arguments.pictureSizes;
-    std::error_code none;
-    if (sizes && arguments.pictureBox) {
-        sizes->box = *arguments.pictureBox;
-    } else if (sizes && job.picture && std::filesystem::equivalent(file.path, job.picture->file, none)) {
-        if (job.picture->angle != 0.0) {
-            return error("turned-picture",
-                         "the background picture is turned by " + numberText(job.picture->angle, 6) +
-                             " degrees; expected a picture along the axes as spacing",
-                         "give its rectangle with --picture-box X0,Y0,X1,Y1, or turn the picture in another program");
-        }
-        sizes->box = boundsOf(*job.picture);
-    } else if (sizes) {
-        sizes->box = job.box;
-        sizes->around = true;
-    }
-    return sizes;
-}
-
-/// Replaces the spacing of a project by that of the command line, such as that of `file`.
-Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Input> &file, ReadJob &read,
-                         ImportNotes &notes) {
-    SpacingSpec &spacing = read.job.spacing;
-    const char *const option = arguments.size               ? "--size"
-                               : !arguments.presets.empty() ? "--size-preset"
-                               : arguments.expression       ? "--spacing"
-                               : file                       ? "--spacing-file"
-                                                            : nullptr;
-    if (Diagnostics faults = addRasters(arguments.rasters, arguments.drawing.projection, arguments.quiet, spacing);
-        !faults.empty()) {
-        return faults;
-    }
-    if (option != nullptr && !arguments.quiet) {
-        printFaults(replacedSpacing(option, spacing));
-    }
-    if (!applySpacingOptions(arguments.size, arguments.expression, spacing) && file) {
-        ImportOptions options = file->options;
-        const Result<std::optional<PictureSizes>> placed = placedPicture(arguments, *file, read);
-        if (!placed) {
-            return placed.faults();
-        }
-        options.picture = *placed;
-        options.projection = arguments.drawing.projection;
-        Result<SpacingSpec> fromFile = allFormats().readSpacing(file->path, options, &notes);
-        if (!fromFile) {
-            return fromFile.faults();
-        }
-        spacing.replaceRules(std::move(*fromFile));
-    }
-    if (arguments.gradation) {
-        spacing.gradation = arguments.gradation;
-    }
-    if (arguments.segmentsPerTurn) {
-        spacing.segmentsPerTurn = arguments.segmentsPerTurn;
-    }
-    if (arguments.elementsAcross) {
-        spacing.elementsAcross = arguments.elementsAcross;
-    }
-    if (arguments.curveTolerance) {
-        read.job.domain.curveTolerance = arguments.curveTolerance->distance(read.job.domain.bounds().diagonal());
-    }
-    return {};
-}
-
-Diagnostics applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
-    if (arguments.grid) {
-        options.grid = *arguments.grid;
-        options.gridColumns = arguments.gridColumns;
-        options.gridRows = arguments.gridRows;
-    }
-    options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
-    options.verify = arguments.verify;
-    options.elements = arguments.elements.value_or(options.elements);
-    options.order = arguments.order.value_or(options.order);
-    options.quadNodes = arguments.quadNodes.value_or(options.quadNodes);
-    if (arguments.leastAngle) {
-        options.leastAngle = arguments.leastAngle;
-    }
-    options.method = arguments.method.value_or(options.method);
-    options.improve = arguments.improve.value_or(options.improve);
-    options.threads = arguments.threads.value_or(options.threads);
-    applyMaxElements(arguments.maxElements, options);
-    return applyRules(arguments.rules, options);
-}
 
 /// Returns notes on options that have no effect on this run.
 Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job, const SpacingField &spacing) {
@@ -213,28 +60,6 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
         add("--quad-nodes", "the elements are triangles");
     }
     return notes;
-}
-
-/// Repairs the domain of a job and records in `sources` where its parts come from.
-Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, MeshingJob &job,
-                         std::optional<Repaired> &sources) {
-    Result<Repaired> repaired = repair(job.domain, arguments.drawing.weldTolerance.value_or(0.0), progress.stop);
-    if (!repaired) {
-        return allFormats().locateFaults(input.path, repaired.faults(), input.options);
-    }
-    if (!arguments.quiet) {
-        printFaults(allFormats().locateFaults(input.path, notesWithPlaces(repaired->changes), input.options));
-    }
-    sources = std::move(*repaired);
-    carryElements(job.domain, *sources, job.spacing);
-    job.domain = std::move(sources->domain);
-    return {};
-}
-
-/// Prints notes; returns none.
-Diagnostics printed(const Diagnostics &notes) {
-    printFaults(notes);
-    return {};
 }
 
 /// Returns the limits of a project with those of the command line in their place where both are given.
@@ -314,52 +139,46 @@ Status printResult(const MeshArguments &arguments, const RunReport &report) {
     return {};
 }
 
-/// The files that a mesh is made from.
-struct MeshFiles {
-    Input input;
-    std::optional<Input> spacing;
-};
-
-Result<MeshFiles> openFiles(const MeshArguments &arguments) {
-    Result<Input> input = openInput(arguments.input, arguments.inputFormat);
-    if (!input) {
-        return input.faults();
-    }
-    MeshFiles files{std::move(*input), {}};
-    if (arguments.spacingFile) {
-        Result<Input> spacing = openInput(*arguments.spacingFile);
-        if (!spacing) {
-            return spacing.faults();
-        }
-        files.spacing = std::move(*spacing);
-    }
-    return files;
+/// Prints how large and long a run would be. Returns the exit code.
+int printEstimate(const MeshArguments &arguments, const RunEstimate &estimate, const MeshingOptions &options,
+                  const InterruptWatch &interrupt) {
+    const Status printed =
+        printText(arguments.json ? estimateJson(estimate, arguments.input.string()) : estimateText(estimate, options));
+    return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
 }
 
-/// Reads the files, shows the progress and prints the notes of the readers.
-Result<ReadJob> readFiles(const MeshArguments &arguments, const MeshFiles &files, ProgressBar &bar) {
-    ImportNotes notes, spacingNotes;
-    Result<ReadJob> read = bar.during("reading", [&] { return readJob(files.input, notes); });
-    if (!read) {
-        return read;
+/// Prints what is to be said of a mesh before it is written.
+void printRemarks(const MeshArguments &arguments, const MeshingOutcome &outcome, const MeshingJob &job,
+                  const MeshLimits &limits) {
+    if (!arguments.quiet) {
+        printFaults(outcome.spacing->notes());
+        printFaults(unusedOptions(arguments, job, *outcome.spacing));
     }
-    read->system = notes.contents().system;
-    printNotes(notes, arguments.quiet);
-    const Diagnostics faults =
-        bar.during("reading", [&] { return applySpacing(arguments, files.spacing, *read, spacingNotes); });
-    if (!faults.empty()) {
-        return faults;
-    }
-    printNotes(spacingNotes, arguments.quiet);
-    return read;
+    printFaults(violatedLimits(outcome.mesh, limits, outcome.spacing.get()));
+    printFaults(largeElements(outcome.mesh, job.domain, job.spacing.placed.regions));
 }
 
-/// Leaves out the periodic parts of a mesh file that something asked for excludes, and prints notes on them.
-void leaveOutPeriodicOfMesh(const MeshArguments &arguments, ReadJob &read) {
-    const Diagnostics notes = leaveOutExcludedPeriodic(read.job, read.periodicOfMesh);
+/// Writes a mesh with its statistics and prints the result. Returns the exit code.
+int finish(const MeshArguments &arguments, const ReadJob &read, const MeshingOutcome &outcome, ProgressBar &bar,
+           const Progress &progress, const InterruptWatch &interrupt) {
+    RunReport report = reportOf(outcome, read.job.options);
+    report.input = arguments.input.string();
+    MeshForm form = withUnitOf(read.unit, arguments.form);
+    form.system = read.system;
+    const Diagnostics notes =
+        bar.during({}, [&] { return writeResults(arguments, form, outcome.mesh, report, progress); });
+    if (hasErrors(notes)) {
+        return refuse(notes, interrupt);
+    }
     if (!arguments.quiet) {
         printFaults(notes);
+        printFaults(flatElements(report.quality));
+        printFaults(notConvex(report.quads));
+        printFaults(straightEdges(report.order));
+        printFaults(shortenedLayers(outcome.layers, outcome.mesh.boundaryNames));
     }
+    const Status printed = printResult(arguments, report);
+    return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
 }
 
 int runMesh(const MeshArguments &arguments) {
@@ -371,105 +190,47 @@ int runMesh(const MeshArguments &arguments) {
     if (!files) {
         return refuse(files.faults(), interrupt);
     }
-    Input &input = files->input;
-    if (const std::string wrong = checkFiles(arguments, input, files->spacing); !wrong.empty()) {
+    if (const std::string wrong = checkFiles(arguments, *files); !wrong.empty()) {
         return wrongUsage("forefront mesh", wrong);
     }
-    arguments.drawing.applyTo(input.options);
-    input.options.strict = arguments.strict;
-    input.options.keepSharedLines = arguments.repair;
-    Result<ReadJob> read = readFiles(arguments, *files, bar);
-    Diagnostics faults = read ? Diagnostics() : read.faults();
-    MeshingJob *const job = read ? &read->job : nullptr;
+    Result<ReadJob> read = readJob(arguments, *files, bar);
     interrupt.deferToStop();
-    std::optional<Repaired> repaired;
-    if (faults.empty() && arguments.repair) {
-        faults = repairDomain(arguments, input, progress, *job, repaired);
-    }
-    if (faults.empty()) {
-        faults = namePartsOf(arguments.drawing, input, arguments.quiet, job->domain);
-        faults = hasErrors(faults) ? faults : printed(faults);
-    }
-    if (faults.empty()) {
-        faults = applyOptions(arguments, job->options);
-    }
-    if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, applyLayers(arguments.layers, *job), input.options);
-    }
-    if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, applyCracks(arguments.cracks, job->domain, job->cracks),
-                                           input.options);
-    }
-    if (faults.empty()) {
-        leaveOutPeriodicOfMesh(arguments, *read);
-        faults = allFormats().locateFaults(input.path, applyPeriodic(arguments.periodic, *job), input.options);
-    }
-    if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, applyMapped(arguments.mapped, *job), input.options);
-    }
-    if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, checkOpenNames(arguments.form, job->domain), input.options);
-    }
+    Diagnostics faults = read ? applyArguments(arguments, files->input, progress, *read) : read.faults();
     if (!faults.empty()) {
         return refuse(faults, interrupt);
     }
-    const MeshLimits limits = allLimits(read->limits, arguments.limits);
-
+    MeshingJob &job = read->job;
     const auto refuseRun = [&](const Diagnostics &why) {
-        const Diagnostics wrong = meshingFaults(why, job->domain, input, repaired ? &*repaired : nullptr);
-        const Input &owner = files->spacing ? *files->spacing : input;
+        const Repaired *const repaired = read->repaired ? &*read->repaired : nullptr;
+        const Diagnostics wrong = meshingFaults(why, job.domain, files->input, repaired);
+        const Input &owner = files->spacing ? *files->spacing : files->input;
         const int code = refuse(arguments.expression ? wrong : locateSpacing(wrong, owner), interrupt);
         const bool mistyped = arguments.expression && hasCode(why, "expression-syntax");
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     };
     if (arguments.targetElements) {
-        faults = bar.during({}, [&] { return scaleToTarget(*arguments.targetElements, *job, progress); });
+        faults = bar.during({}, [&] { return scaleToTarget(*arguments.targetElements, job, progress); });
         if (hasErrors(faults)) {
             return refuseRun(faults);
         }
         printFaults(faults);
     }
     if (arguments.dryRun) {
-        const Result<RunEstimate> estimate = bar.during({}, [&] { return estimateRun(*job, progress); });
-        if (!estimate) {
-            return refuseRun(estimate.faults());
-        }
-        const Status printed = printText(arguments.json ? estimateJson(*estimate, arguments.input.string())
-                                                        : estimateText(*estimate, job->options));
-        return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
+        const Result<RunEstimate> estimate = bar.during({}, [&] { return estimateRun(job, progress); });
+        return estimate ? printEstimate(arguments, *estimate, job.options, interrupt) : refuseRun(estimate.faults());
     }
+    const MeshLimits limits = allLimits(read->limits, arguments.limits);
     if (arguments.fix && !limits.any()) {
         return wrongUsage("forefront mesh", "--fix: there are no limits; add --limit NAME=VALUE");
     }
     const Result<MeshingOutcome> outcome = bar.during({}, [&] {
-        return arguments.fix ? fixedMesh(limits, progress, arguments.quiet, *job) : meshDomain(*job, progress);
+        return arguments.fix ? fixedMesh(limits, progress, arguments.quiet, job) : meshDomain(job, progress);
     });
     if (!outcome) {
         return refuseRun(outcome.faults());
     }
-    if (!arguments.quiet) {
-        printFaults(outcome->spacing->notes());
-        printFaults(unusedOptions(arguments, *job, *outcome->spacing));
-    }
-    printFaults(violatedLimits(outcome->mesh, limits, outcome->spacing.get()));
-    printFaults(largeElements(outcome->mesh, job->domain, job->spacing.placed.regions));
-    RunReport report = reportOf(*outcome, job->options);
-    report.input = arguments.input.string();
-    MeshForm form = withUnitOf(read->unit, arguments.form);
-    form.system = read->system;
-    faults = bar.during({}, [&] { return writeResults(arguments, form, outcome->mesh, report, progress); });
-    if (hasErrors(faults)) {
-        return refuse(faults, interrupt);
-    }
-    if (!arguments.quiet) {
-        printFaults(faults);
-        printFaults(flatElements(report.quality));
-        printFaults(notConvex(report.quads));
-        printFaults(straightEdges(report.order));
-        printFaults(shortenedLayers(outcome->layers, outcome->mesh.boundaryNames));
-    }
-    const Status printed = printResult(arguments, report);
-    return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
+    printRemarks(arguments, *outcome, job, limits);
+    return finish(arguments, *read, *outcome, bar, progress, interrupt);
 }
 
 } // namespace

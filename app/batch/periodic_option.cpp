@@ -1,6 +1,6 @@
 #include "app/batch/periodic_option.hpp"
 
-#include "app/batch/part_names.hpp"
+#include "app/batch/named_tags.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -16,7 +16,7 @@ void addPeriodicOption(CLI::App &app, std::vector<std::string> &texts) {
 }
 
 Diagnostics applyPeriodic(const std::vector<std::string> &texts, MeshingJob &job) {
-    const PartNames parts(job.domain);
+    const NamedTags parts = NamedTags::ofParts(job.domain);
     std::vector<PeriodicSpec> given;
     for (const std::string &text : texts) {
         // Names may hold colons: the first place where both sides are known counts.
