@@ -3,6 +3,7 @@
 #include "core/drawing_files/svg/areas/svg_ends.hpp"
 #include "core/drawing_files/svg/areas/svg_regions.hpp"
 #include "core/drawing_files/svg/areas/svg_repeats.hpp"
+#include "core/drawing_files/svg/areas/svg_roles.hpp"
 #include "core/drawing_files/svg/areas/svg_stroke_areas.hpp"
 #include "core/drawing_files/svg/areas/svg_white.hpp"
 #include "core/drawing_files/svg/drawing/svg_drawing.hpp"
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -27,19 +29,11 @@ namespace {
 
 constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest stroke that may repeat an outline
 
-bool isLoop(const SvgPath &path) {
-    return path.closed && path.nodes.size() > 2;
-}
-
-/// The role of an SVG path in the domain.
-enum class PathRole : std::uint8_t { Painted, Stroke, Outline, Line, LeftOut, Nothing };
-
 class SvgBuilder {
   public:
     SvgBuilder(SvgPaths drawing, const SourceText &source)
         : source_(source), paths_(std::move(drawing.paths)), clips_(std::move(drawing.clips)), builder_(source),
-          strokes_(builder_, drawing.size, drawing.tolerance, source.options.shapeRegions), size_(drawing.size),
-          anyPainted_(drawing.cropsFill) {
+          strokes_(builder_, drawing.size, drawing.tolerance, source.options.shapeRegions), size_(drawing.size) {
         // A path of a single node that is not closed was never drawn; other paths may end up as dots.
         std::erase_if(paths_, [](const SvgPath &path) { return path.nodes.size() < 2 && !path.closed; });
         for (SvgPath &path : paths_) {
@@ -54,9 +48,8 @@ class SvgBuilder {
         }
         for (const SvgPath &path : paths_) {
             regions_.reserve(path.name);
-            anyPainted_ = anyPainted_ || path.covers();
-            anyStroked_ = anyStroked_ || (path.paint.stroked && path.nodes.size() > 1);
         }
+        roles_.emplace(source, paths_, drawing.cropsFill);
     }
 
     Result<Domain> run() {
@@ -73,10 +66,10 @@ class SvgBuilder {
                 addHole(path, white.below(index));
                 continue;
             }
-            const PathRole part = partOf(path);
+            const PathRole part = roles_->of(path);
             const std::int32_t tag = part == PathRole::Nothing ? 0 : tags_.of(path.name);
             builder_.from({path.offset});
-            noteReading(path, part);
+            roles_->noteReading(path, part);
             if (path.strokeArea) {
                 if (!strokes_.add(path, shapeOf(feature, path), tag)) {
                     return Diagnostics{faultAt(source_, path.offset, "too-large", "the strokes need too many nodes",
@@ -126,7 +119,7 @@ class SvgBuilder {
         dropRepeatedOutlines();
         std::vector<PathRole> parts;
         for (const SvgPath &path : paths_) {
-            parts.push_back(partOf(path));
+            parts.push_back(roles_->of(path));
         }
         const auto isArea = [](PathRole part) { return part == PathRole::Painted || part == PathRole::Outline; };
         if (std::none_of(parts.begin(), parts.end(), isArea)) {
@@ -140,7 +133,7 @@ class SvgBuilder {
                 if (unused ? areas : isArea(parts[k]) != areas) {
                     continue;
                 }
-                noteReading(paths_[k], parts[k]);
+                roles_->noteReading(paths_[k], parts[k]);
                 noteClips(paths_[k]);
                 if (unused) {
                     continue;
@@ -179,9 +172,9 @@ class SvgBuilder {
             return;
         }
         const std::map<std::size_t, std::size_t> subpaths = subpathsOfElements(paths_);
-        dropRepeated([&](const SvgPath &path) { return partOf(path) == PathRole::Outline; });
+        dropRepeated([&](const SvgPath &path) { return roles_->of(path) == PathRole::Outline; });
         dropRepeated([&](const SvgPath &path) {
-            return !source_.options.shapeRegions && partOf(path) == PathRole::Painted && !path.paint.stroked &&
+            return !source_.options.shapeRegions && roles_->of(path) == PathRole::Painted && !path.paint.stroked &&
                    !path.removes && isGeneratedName(path.name) && subpaths.at(path.element) == 1;
         });
     }
@@ -316,29 +309,6 @@ class SvgBuilder {
         }
     }
 
-    /// Returns the role of a path. Filled shapes, if any, are the domain, and strokes are lines in it; otherwise closed
-    /// strokes are outlines. Closed paths with neither, such as the frames of icons, count only if there are no such
-    /// shapes or strokes.
-    PathRole partOf(const SvgPath &path) const {
-        if (path.painted()) {
-            return PathRole::Painted;
-        }
-        if (path.strokeArea) {
-            return PathRole::Stroke;
-        }
-        if (path.nodes.size() < 2) {
-            return PathRole::Nothing;
-        }
-        const bool loop = isLoop(path);
-        if (loop && !path.paint.stroked && (anyPainted_ || anyStroked_)) {
-            return PathRole::Nothing;
-        }
-        if (!anyPainted_) {
-            return loop ? PathRole::Outline : PathRole::Line;
-        }
-        return source_.options.dropLines ? PathRole::LeftOut : PathRole::Line;
-    }
-
     /// Returns the contents that options affect, whether or not they are set.
     DrawingContents contents(std::size_t whiteShapes) const {
         DrawingContents contents;
@@ -346,8 +316,9 @@ class SvgBuilder {
         contents.whiteHoles = whiteShapes > 0 && makesHoles();
         std::size_t last = kNone;
         for (const SvgPath &path : paths_) {
-            const PathRole part = partOf(path);
-            contents.lines = contents.lines || (anyPainted_ && (part == PathRole::Line || part == PathRole::LeftOut));
+            const PathRole part = roles_->of(path);
+            contents.lines =
+                contents.lines || (roles_->anyPainted() && (part == PathRole::Line || part == PathRole::LeftOut));
             if (path.covers() && std::exchange(last, path.element) != path.element) {
                 ++contents.filledShapes;
             }
@@ -357,7 +328,7 @@ class SvgBuilder {
 
     /// Tells the builder whether shapes are regions and whether lines may bound the domain.
     void chooseRules() {
-        if (!anyPainted_) {
+        if (!roles_->anyPainted()) {
             builder_.letLinesBound();
             if (source_.options.shapeRegions && !paths_.empty()) {
                 source_.note("svg-regions", "nothing is filled: there are no shapes to make regions of",
@@ -367,25 +338,8 @@ class SvgBuilder {
             builder_.layer();
             builder_.markRegions();
         } else {
-            noteMergedShapes();
+            roles_->noteMerged(paths_);
             strokes_.setBackground(noteBackground(source_, paths_, clips_));
-        }
-    }
-
-    /// Reports that shapes with names of their own are merged.
-    void noteMergedShapes() {
-        std::string_view name;
-        for (const SvgPath &path : paths_) {
-            if (!path.painted() || isGeneratedName(path.name)) {
-                continue;
-            }
-            if (!name.empty() && path.name != name) {
-                source_.note("svg-regions",
-                             "filled shapes with different names are one region; --shape-regions makes each a region",
-                             path.offset);
-                return;
-            }
-            name = path.name;
         }
     }
 
@@ -420,50 +374,6 @@ class SvgBuilder {
         }
     }
 
-    /// Reports, once per element, how it is read if that differs from how it looks.
-    void noteReading(const SvgPath &path, PathRole part) {
-        const bool loop = isLoop(path);
-        const bool first = std::exchange(noted_, path.element) != path.element;
-        if (!first || path.nodes.size() < 2) {
-            return;
-        }
-        if (part == PathRole::Outline) {
-            source_.note("svg-outlines",
-                         "nothing is filled: closed lines are outlines, and a closed line inside another is a hole",
-                         path.offset);
-        } else if (part == PathRole::Nothing) {
-            source_.note(
-                "svg-unpainted",
-                "shapes with neither fill nor stroke are ignored, because other shapes have a fill or stroke; an "
-                "outline needs one",
-                path.offset);
-        } else if (part == PathRole::Line && loop) {
-            source_.note("svg-unfilled",
-                         "shapes without fill are read as lines, because other shapes are filled; "
-                         "--drop-lines leaves them out",
-                         path.offset);
-        } else if (part == PathRole::LeftOut) {
-            source_.note("dropped-lines", "lines are left out", path.offset);
-            return;
-        }
-        if (path.drawnAsLine() && path.nodes.size() > 2) {
-            source_.note("svg-polyline",
-                         "polylines with a stroke and the default fill are read as lines, although renderers fill them",
-                         path.offset);
-        }
-        if (path.paint.stroked && part != PathRole::Nothing && !(path.paint.line.width > 0.0)) {
-            source_.note("svg-zero-stroke", "strokes of width 0 are read as lines, although renderers paint nothing",
-                         path.offset);
-        } else if (path.paint.stroked && part != PathRole::Nothing && !path.strokeArea) {
-            source_.note(kStrokeNote,
-                         source_.options.strokeAreas
-                             ? "strokes that do not scale with the drawing are read as lines"
-                             : "strokes are not meshed: shapes end at the middle of their stroke; --stroke-areas "
-                               "meshes their painted area",
-                         path.offset);
-        }
-    }
-
     /// Returns the width of a stroke that may repeat an outline, which is limited for drawings in small units whose
     /// strokes have the default width of 1. Lines with a name of their own are kept.
     double widthOf(const SvgPath &path) const {
@@ -495,14 +405,12 @@ class SvgBuilder {
     DrawingBuilder builder_;
     StrokeAreas strokes_;
     TagAllocator tags_;
-    SvgRegions regions_; ///< used if every filled shape is a region
-    double size_;        ///< diagonal of what is visible
-    bool anyPainted_;
-    bool anyStroked_ = false;
-    std::size_t shaped_ = kNone; ///< the element of the last shape
+    std::optional<SvgRoles> roles_; ///< once ends are joined
+    SvgRegions regions_;            ///< used if every filled shape is a region
+    double size_;                   ///< diagonal of what is visible
+    std::size_t shaped_ = kNone;    ///< the element of the last shape
     std::uint32_t shape_ = 0;
     std::size_t painted_ = kNone; ///< the element of the last contour
-    std::size_t noted_ = kNone;   ///< the element of the last path
     std::uint32_t contour_ = 0;
     std::map<std::uint32_t, std::uint32_t> outlineContours_; ///< by the clip that limits the outlines
     std::map<std::size_t, std::uint32_t> shapes_;            ///< by painted element
