@@ -57,24 +57,8 @@ void drawInto(ImFontAtlas &atlas, int number, std::span<const unsigned char> cov
     }
 }
 
-void makeTabular(ImFont &font, unsigned first, unsigned last) {
-    ImFontBaked &baked = *font.GetFontBaked(font.LegacySize);
-    float widest = 0.0F;
-    for (unsigned code = first; code <= last; ++code) {
-        widest = std::max(widest, baked.GetCharAdvance(static_cast<ImWchar>(code)));
-    }
-    for (unsigned code = first; code <= last; ++code) {
-        const ImFontGlyph *const found = baked.FindGlyphNoFallback(static_cast<ImWchar>(code));
-        if (found == nullptr) {
-            continue;
-        }
-        ImFontGlyph &glyph = baked.Glyphs[static_cast<int>(found - baked.Glyphs.Data)];
-        const float shift = std::round(0.5F * (widest - glyph.AdvanceX)); // whole pixels keep the digit sharp
-        glyph.X0 += shift;
-        glyph.X1 += shift;
-        glyph.AdvanceX = widest;
-        baked.IndexAdvanceX[static_cast<int>(code)] = widest;
-    }
+static ImFontBaked &glyphsOf(ImFont &font) {
+    return *font.GetFontBaked(font.LegacySize);
 }
 
 void uploadFonts() {} // the renderer does when it finds them changed
@@ -112,23 +96,8 @@ void drawInto(ImFontAtlas &atlas, int number, std::span<const unsigned char> cov
     }
 }
 
-void makeTabular(ImFont &font, unsigned first, unsigned last) {
-    float widest = 0.0F;
-    for (unsigned code = first; code <= last; ++code) {
-        widest = std::max(widest, font.GetCharAdvance(static_cast<ImWchar>(code)));
-    }
-    for (unsigned code = first; code <= last; ++code) {
-        const ImFontGlyph *const found = font.FindGlyphNoFallback(static_cast<ImWchar>(code));
-        if (found == nullptr) {
-            continue;
-        }
-        ImFontGlyph &glyph = font.Glyphs[static_cast<int>(found - font.Glyphs.Data)];
-        const float shift = std::round(0.5F * (widest - glyph.AdvanceX)); // whole pixels keep the digit sharp
-        glyph.X0 += shift;
-        glyph.X1 += shift;
-        glyph.AdvanceX = widest;
-        font.IndexAdvanceX[static_cast<int>(code)] = widest;
-    }
+static ImFont &glyphsOf(ImFont &font) {
+    return font;
 }
 
 void uploadFonts() {
@@ -137,6 +106,26 @@ void uploadFonts() {
 }
 
 #endif
+
+void makeTabular(ImFont &font, unsigned first, unsigned last) {
+    auto &baked = glyphsOf(font);
+    float widest = 0.0F;
+    for (unsigned code = first; code <= last; ++code) {
+        widest = std::max(widest, baked.GetCharAdvance(static_cast<ImWchar>(code)));
+    }
+    for (unsigned code = first; code <= last; ++code) {
+        const ImFontGlyph *const found = baked.FindGlyphNoFallback(static_cast<ImWchar>(code));
+        if (found == nullptr) {
+            continue;
+        }
+        ImFontGlyph &glyph = baked.Glyphs[static_cast<int>(found - baked.Glyphs.Data)];
+        const float shift = std::round(0.5F * (widest - glyph.AdvanceX)); // whole pixels keep the digit sharp
+        glyph.X0 += shift;
+        glyph.X1 += shift;
+        glyph.AdvanceX = widest;
+        baked.IndexAdvanceX[static_cast<int>(code)] = widest;
+    }
+}
 
 // Keys. Later versions have codes of its own, and events in place of a table of the keys that are down.
 
