@@ -186,6 +186,14 @@ std::string written(void (*write)(const MeshView &, TextWriter &), const MeshVie
     return std::move(sink.text);
 }
 
+std::string written(const Format &format, const MeshView &mesh) {
+    StringSink sink;
+    TextWriter out(sink);
+    format.write(mesh, {}, out);
+    out.flush();
+    return std::move(sink.text);
+}
+
 std::string messages(const Diagnostics &faults) {
     std::string text;
     for (const Diagnostic &fault : faults) {

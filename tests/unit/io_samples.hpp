@@ -5,6 +5,7 @@
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/common/mesh_field.hpp"
+#include "core/files/format.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -34,6 +35,7 @@ void undoRounding(TriMesh &back, const TriMesh &mesh, const Diagnostics &notes);
 
 /// Returns the text that a format writes for a mesh.
 std::string written(void (*write)(const MeshView &, TextWriter &), const MeshView &mesh);
+std::string written(const Format &format, const MeshView &mesh);
 
 /// Returns source text for a reader, without a file.
 inline SourceText sourceOf(std::string_view text, std::string name = "memory") {

@@ -3,6 +3,7 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
+#include "tests/support/meshed_job.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>
@@ -47,12 +48,6 @@ std::vector<Vec2> ring(double radius, int count) {
         ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
     return ring;
-}
-
-MeshingOutcome meshed(const MeshingJob &job) {
-    Result<MeshingOutcome> outcome = meshDomain(job);
-    REQUIRE_MESSAGE(outcome, toString(outcome ? Diagnostic() : outcome.faults().front()));
-    return *std::move(outcome);
 }
 
 LayerSpec layersOf(std::int32_t tag, double first, double growth, std::uint32_t count) {
@@ -105,7 +100,7 @@ void checkRandom(std::uint64_t from, std::uint64_t to, std::uint64_t othersEvery
             const std::uint64_t hash = meshHash(outcome->mesh);
             job.options.threads = 2;
             job.options.grid = GridKind::Uniform;
-            CHECK(meshHash(meshed(job).mesh) == hash);
+            CHECK(meshHash(meshedJob(job).mesh) == hash);
             Result<MeshStepper> stepper = MeshStepper::create(job);
             REQUIRE(stepper);
             REQUIRE(stepper->finish());
@@ -121,7 +116,7 @@ using namespace layer_cases;
 TEST_CASE("boundary layers: a smooth wall has the heights asked for on every ray") {
     MeshingJob job = squareAround(ring(1.0, 64), 0.1);
     job.layers = {layersOf(kWall, 0.001, 1.2, 12)};
-    const MeshingOutcome outcome = meshed(job);
+    const MeshingOutcome outcome = meshedJob(job);
     CHECK(outcome.layers.shortened.empty());
     CHECK(outcome.layers.fewest == 12);
     CHECK(outcome.layers.quadrilaterals == 12 * outcome.layers.rays);
@@ -152,12 +147,12 @@ TEST_CASE("boundary layers: a thickness, and layers until they are isotropic") {
     spec.count.reset();
     spec.thickness = 0.0107;
     job.layers = {spec};
-    CHECK(meshed(job).layers.most == 11);
+    CHECK(meshedJob(job).layers.most == 11);
     spec.thickness.reset();
     spec.growth = 1.5;
     job.layers = {spec};
     // Wall edges of 2 sin(π/64) = 0.0981: the last layer below 0.7 times that is 0.001·1.5^10 = 0.0577.
-    const MeshingOutcome outcome = meshed(job);
+    const MeshingOutcome outcome = meshedJob(job);
     CHECK(outcome.layers.most == 11);
     CHECK(outcome.layers.fewest == 11);
 }
@@ -169,7 +164,7 @@ TEST_CASE("boundary layers: a cross has fans at convex corners and full layers i
     job.layers = {layersOf(kWall, 0.002, 1.2, 14)};
     for (const LayerCells cells : {LayerCells::Quads, LayerCells::Triangles}) {
         job.layers[0].cells = cells;
-        const MeshingOutcome outcome = meshed(job);
+        const MeshingOutcome outcome = meshedJob(job);
         CHECK(outcome.layers.fans == 8);
         CHECK(outcome.layers.shortened.empty());
         CHECK(outcome.mesh.isTriangular() == (cells == LayerCells::Triangles));
@@ -185,7 +180,7 @@ TEST_CASE("boundary layers: the ends slide along straight neighbours, also slant
         job.spacing.size = 0.2;
         job.options.verify = true;
         job.layers = {layersOf(kWall, 0.01, 1.2, 10)};
-        const MeshingOutcome outcome = meshed(job);
+        const MeshingOutcome outcome = meshedJob(job);
         CHECK(outcome.layers.shortened.empty());
         CHECK(outcome.layers.triangles == 0);
         CHECK(std::any_of(outcome.mesh.nodes.begin(), outcome.mesh.nodes.end(), [&](Vec2 p) {
@@ -202,7 +197,7 @@ TEST_CASE("boundary layers: a wall that ends beside a part in its line ends with
     job.spacing.size = 0.1;
     job.options.verify = true;
     job.layers = {layersOf(kWall, 0.01, 1.2, 5)};
-    const MeshingOutcome outcome = meshed(job);
+    const MeshingOutcome outcome = meshedJob(job);
     REQUIRE(outcome.layers.shortened.size() == 5);
     for (std::uint32_t k = 0; k < 5; ++k) {
         const ShortenedRay &ray = outcome.layers.shortened[k];
@@ -221,7 +216,7 @@ TEST_CASE("boundary layers: walls that face each other share their distance, and
     setTags(job.domain, upper, 3);
     job.domain.boundaryNames = {{2, "flap"}, {3, "wing"}};
     job.layers = {layersOf(2, 0.002, 1.2, 20), layersOf(3, 0.002, 1.2, 20)};
-    const MeshingOutcome outcome = meshed(job);
+    const MeshingOutcome outcome = meshedJob(job);
     CHECK(outcome.layers.fewest > 10);
     CHECK(outcome.layers.most == 20);
     std::size_t inGap = 0;
@@ -243,7 +238,7 @@ TEST_CASE("boundary layers: walls that face each other share their distance, and
 TEST_CASE("boundary layers: the size grows from their tops") {
     MeshingJob job = squareAround(ring(1.0, 256), 0.5);
     job.layers = {layersOf(kWall, 0.001, 1.2, 12)};
-    const MeshingOutcome outcome = meshed(job);
+    const MeshingOutcome outcome = meshedJob(job);
     CHECK(outcome.spacing->at({1.05, 0.0}) == doctest::Approx(2.0 * std::numbers::pi / 256).epsilon(0.3));
     CHECK(outcome.spacing->at({2.0, 0.0}) < 0.24);
 }
@@ -252,10 +247,10 @@ TEST_CASE("boundary layers: quadrilaterals and second order have them, too") {
     MeshingJob job = squareAround(ring(1.0, 64), 0.2);
     job.layers = {layersOf(kWall, 0.005, 1.3, 8)};
     job.options.elements = Elements::Quads;
-    CHECK(meshed(job).mesh.block(CellKind::Quadrilateral4).size() > 64 * 8);
+    CHECK(meshedJob(job).mesh.block(CellKind::Quadrilateral4).size() > 64 * 8);
     job.options.elements = Elements::Triangles;
     job.options.order = ElementOrder::Second;
-    CHECK(meshed(job).mesh.block(CellKind::Quadrilateral8).size() == 64 * 8);
+    CHECK(meshedJob(job).mesh.block(CellKind::Quadrilateral8).size() == 64 * 8);
 }
 
 TEST_CASE("boundary layers: a wall inside the domain has them on both sides") {
@@ -266,7 +261,7 @@ TEST_CASE("boundary layers: a wall inside the domain has them on both sides") {
     job.spacing.size = 0.2;
     job.options.verify = true;
     job.layers = {layersOf(kWall, 0.01, 1.2, 8)};
-    const MeshingOutcome outcome = meshed(job);
+    const MeshingOutcome outcome = meshedJob(job);
     CHECK(outcome.layers.fans == 2);
     CHECK(outcome.layers.shortened.empty());
     CHECK(outcome.layers.triangles == 2 * 9);
@@ -302,11 +297,11 @@ TEST_CASE("boundary layers: kept segments have all of them, and no nodes beside 
     job.spacing.size = 0.1;
     job.options.keepBoundary = true;
     job.options.verify = true;
-    REQUIRE(meshed(job).boundary->gradedNodes > 0);
+    REQUIRE(meshedJob(job).boundary->gradedNodes > 0);
     job.layers = {layersOf(kWall, 0.02, 1.3, 8)};
     for (const Elements elements : {Elements::Triangles, Elements::Quads}) {
         job.options.elements = elements;
-        const MeshingOutcome made = meshed(job);
+        const MeshingOutcome made = meshedJob(job);
         CHECK(made.layers.shortened.empty());
         CHECK(made.layers.fewest == 8);
         CHECK(made.mesh.points.empty());

@@ -14,6 +14,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "tests/unit/constraint_samples.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
@@ -24,94 +25,10 @@
 #include <string>
 #include <vector>
 
-namespace forefront {
-namespace {
+namespace forefront::constraint_test {
 
 using namespace edit_test;
 using Kind = ConstraintKind;
-
-SketchPart node(std::uint32_t shape, std::uint32_t k) {
-    return {shape, SketchPartKind::Node, k};
-}
-SketchPart segment(std::uint32_t shape, std::uint32_t k = 0) {
-    return {shape, SketchPartKind::Segment, k};
-}
-
-std::string messageOf(const Result<Document> &result) {
-    return result ? std::string() : result.faults().front().message;
-}
-
-/// Adds a constraint, which must be possible.
-void constrain(Document &document, Kind kind, std::vector<SketchPart> parts) {
-    Result<Document> next = addConstraint(document, kind, std::move(parts));
-    CAPTURE(std::string(wordOf(kind)));
-    REQUIRE_MESSAGE(next.ok(), messageOf(next));
-    document = *std::move(next);
-}
-
-void checkAllHold(const Document &document) {
-    for (const auto &constraint : document.constraints) {
-        CAPTURE(constraint->name);
-        CHECK(partsFault(document, constraint->kind, constraint->parts).empty());
-        CHECK(holdsIn(document, *constraint));
-    }
-}
-
-/// Constraints, of a path that is a rectangle with its sides free: width and height driven, one corner fixed.
-Document drivenPlate() {
-    Document document = documentOf({makeShape(ShapeKind::Polygon, {{0, 0}, {40, 0}, {40, 30}, {0, 30}})});
-    constrain(document, Kind::Horizontal, {segment(1, 0)});
-    constrain(document, Kind::Horizontal, {segment(1, 2)});
-    constrain(document, Kind::Vertical, {segment(1, 1)});
-    constrain(document, Kind::Vertical, {segment(1, 3)});
-    constrain(document, Kind::Fixed, {node(1, 0)});
-    constrain(document, Kind::Length, {segment(1, 0)});
-    constrain(document, Kind::Length, {segment(1, 1)});
-    return document;
-}
-
-constexpr std::uint32_t kWidth = 7, kHeight = 8; // ids of its lengths
-
-/// A path of two lines, an arc of a circle, a line and a Bézier curve.
-Shape mixedPath() {
-    Shape path = makeShape(ShapeKind::Polygon, {{0, 0}, {10, 1}, {12, 3}, {11, 12}, {1, 9}});
-    path.path().curves = {Curve(), Curve::arc({10, 3}, {2, 0}, {0, 2}, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi),
-                          Curve(), Curve::cubic({11, 12}, {8, 15}, {4, 13}, {1, 9}), Curve()};
-    path.nodes[1] = {10, 1};
-    return path;
-}
-
-/// Shapes of all kinds, numbered: 1 polygon with curves, 2 polyline, 3 rectangle, 4 circle, 5 point, 6 ellipse, 7 slot,
-/// 8 circle, 9 rectangle with rounded corners.
-Document everyShape() {
-    Shape slot = makeShape(ShapeKind::Slot, {{30, 2}, {38, 5}});
-    slot.form = SlotForm{2.0};
-    Shape rounded = makeShape(ShapeKind::Rectangle, {{60, 0}, {72, 9}});
-    rounded.form = RectangleForm{1.5};
-    return documentOf({mixedPath(), makeShape(ShapeKind::Polyline, {{15, 1}, {21, 2}, {22, 9}}),
-                       makeShape(ShapeKind::Rectangle, {{0, 20}, {9, 26}}),
-                       makeShape(ShapeKind::Circle, {{20, 24}, {23, 24}}), makeShape(ShapeKind::Point, {{28, 20}}),
-                       makeShape(ShapeKind::Ellipse, {{40, 22}, {46, 23}, {39.5, 25}}), slot,
-                       makeShape(ShapeKind::Circle, {{50, 8}, {54, 9}}), rounded});
-}
-
-/// Returns all parts of a document that can be constrained.
-std::vector<SketchPart> partsOf(const Document &document) {
-    std::vector<SketchPart> parts = {{0, SketchPartKind::Origin, 0}, {0, SketchPartKind::YAxis, 0}};
-    for (const auto &shape : document.shapes) {
-        for (std::uint32_t k = 0; k < 8; ++k) {
-            for (const SketchPartKind kind : {SketchPartKind::Node, SketchPartKind::Segment, SketchPartKind::Centre,
-                                              SketchPartKind::StartControl, SketchPartKind::EndControl}) {
-                if (formOfPart(document, {shape->id, kind, k}) != PartForm::None) {
-                    parts.push_back({shape->id, kind, k});
-                }
-            }
-        }
-    }
-    return parts;
-}
-
-} // namespace
 
 TEST_CASE("Constraints: the text of a part is read as the same part") {
     const Document document = everyShape();
@@ -495,92 +412,4 @@ TEST_CASE("Constraints: a project with bad constraints is refused with the place
         "another constraint has the id 1");
 }
 
-TEST_CASE("Constraints: random commands leave constraints that hold, or are refused") {
-    std::size_t applied = 0, refused = 0, lost = 0;
-    for (std::uint64_t seed = 1; seed <= 120; ++seed) {
-        CAPTURE(seed);
-        Random random(seed);
-        Document document = everyShape();
-        const auto anyPart = [&] {
-            const std::vector<SketchPart> parts = partsOf(document);
-            return parts[random.below(static_cast<std::uint32_t>(parts.size()))];
-        };
-        for (int step = 0; step < 25; ++step) {
-            CAPTURE(step);
-            Result<Document> next = document;
-            switch (random.below(11)) {
-            case 0:
-            case 1:
-            case 2:
-                next = addConstraint(document, static_cast<Kind>(random.below(20)), {anyPart(), anyPart()});
-                break;
-            case 3: {
-                const Shape &shape = *document.shapes[random.below(static_cast<std::uint32_t>(document.shapes.size()))];
-                const auto handle = random.below(static_cast<std::uint32_t>(handleCount(shape)));
-                next = setHandle(document, {shape.id, handle}, handlesOf(shape)[handle] + random.place(1.0));
-                break;
-            }
-            case 4:
-                if (!document.constraints.empty()) {
-                    const auto &one =
-                        *document.constraints[random.below(static_cast<std::uint32_t>(document.constraints.size()))];
-                    next = setDimension(document, one.id, one.value * random.real(0.8, 1.3));
-                }
-                break;
-            case 5: {
-                const Shape &shape = *document.shapes[0];
-                if (isPath(shape)) {
-                    next = insertNode(document, {shape.id, 0}, midpoint(shape.nodes[0], shape.nodes[1]));
-                }
-                break;
-            }
-            case 6: {
-                Selection gone;
-                const Shape &shape = *document.shapes[random.below(static_cast<std::uint32_t>(document.shapes.size()))];
-                gone.nodes = {{shape.id, random.below(static_cast<std::uint32_t>(handleCount(shape)))}};
-                if (document.shapes.size() > 6) {
-                    next = deleteSelection(document, gone);
-                }
-                break;
-            }
-            case 7:
-                next = convertToPath(document, document.shapes[random.below(5)]->id);
-                break;
-            case 8: {
-                const std::uint32_t id = document.shapes[random.below(5)]->id;
-                next =
-                    transformSelection(document, selected({id}),
-                                       random.below(2) == 0 ? PlaneMap::rotation(random.real(-90, 90), random.place(9))
-                                                            : PlaneMap::reflection(90.0, random.place(9)));
-                break;
-            }
-            case 9: {
-                const std::uint32_t id = document.shapes[random.below(5)]->id;
-                if (document.shapes.size() < 12) {
-                    next = duplicateSelection(document, selected({id, document.shapes[5]->id}), {3, 4}, nullptr);
-                }
-                break;
-            }
-            default:
-                next = toggleClosed(document, document.shapes[0]->id);
-            }
-            next = next ? settleCommand(document, *next) : next;
-            next ? ++applied : ++refused;
-            if (next) {
-                lost += lostConstraints(document, *next).size();
-                document = *std::move(next);
-                checkAllHold(document);
-            }
-        }
-        const std::string text = projectText(document);
-        const Result<Document> read = parseProject(text, "a.json");
-        REQUIRE_MESSAGE(read.ok(), messageOf(read));
-        CHECK(projectText(*read) == text);
-    }
-    INFO(applied, " applied, ", refused, " refused, ", lost, " constraints lost");
-    CHECK(applied > 1500);
-    CHECK(refused > 300);
-    CHECK(lost > 5);
-}
-
-} // namespace forefront
+} // namespace forefront::constraint_test

@@ -7,6 +7,7 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
+#include "tests/support/meshed_job.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <doctest/doctest.h>
@@ -67,22 +68,6 @@ MeshingJob toTheSide() {
     return job;
 }
 
-MeshingOutcome meshed(const MeshingJob &job) {
-    Result<MeshingOutcome> outcome = meshDomain(job);
-    REQUIRE_MESSAGE(outcome, toString(outcome ? Diagnostic() : outcome.faults().front()));
-    return *std::move(outcome);
-}
-
-std::string codeOf(const MeshingJob &job) {
-    const Result<MeshingOutcome> outcome = meshDomain(job);
-    return outcome ? "" : outcome.faults().front().code;
-}
-
-std::size_t edgesWith(const Mesh &mesh, std::int32_t tag) {
-    return static_cast<std::size_t>(
-        std::count_if(mesh.edges.begin(), mesh.edges.end(), [&](const TaggedEdge &edge) { return edge.tag == tag; }));
-}
-
 std::size_t nodesAt(const Mesh &mesh, Vec2 place) {
     return static_cast<std::size_t>(std::count(mesh.nodes.begin(), mesh.nodes.end(), place));
 }
@@ -101,39 +86,39 @@ using namespace crack_cases;
 
 TEST_CASE("Cracks: a node for each sector, one at tips inside the domain") {
     SUBCASE("a line inside") {
-        const MeshingOutcome made = meshed(square({{{-0.5, 0}, {0.1, 0.2}, {0.5, 0}}}));
+        const MeshingOutcome made = meshedJob(square({{{-0.5, 0}, {0.1, 0.2}, {0.5, 0}}}));
         REQUIRE(made.cracks.cracks.size() == 1);
         CHECK(made.cracks.cracks[0].left == 5);
         CHECK(made.cracks.cracks[0].right == 6);
         CHECK(made.mesh.boundaryNames.at(6) == "joint_right");
         CHECK(made.cracks.tips == 2);
         CHECK(made.cracks.addedNodes == made.cracks.cracks[0].edges - 1);
-        CHECK(edgesWith(made.mesh, 5) == edgesWith(made.mesh, 6));
+        CHECK(edgesTagged(made.mesh, 5) == edgesTagged(made.mesh, 6));
         CHECK(nodesAt(made.mesh, {-0.5, 0}) == 1);
         CHECK(nodesAt(made.mesh, {0.1, 0.2}) == 2);
         CHECK(made.cracks.cracks[0].length == doctest::Approx(std::hypot(0.6, 0.2) + std::hypot(0.4, 0.2)));
     }
     SUBCASE("a line that ends on the boundary") {
-        const MeshingOutcome made = meshed(toTheSide());
+        const MeshingOutcome made = meshedJob(toTheSide());
         CHECK(made.cracks.tips == 1);
         CHECK(nodesAt(made.mesh, {1, 0}) == 2);
         CHECK(nodesAt(made.mesh, {-0.3, 0}) == 1);
     }
     SUBCASE("a branch and a crossing") {
-        CHECK(nodesAt(meshed(square({{{-0.6, 0}, {0, 0}, {0.5, 0.4}}, {{0, 0}, {0.5, -0.4}}})).mesh, {0, 0}) == 3);
-        CHECK(nodesAt(meshed(square({{{-0.6, 0}, {0, 0}, {0.6, 0.1}}, {{0, -0.6}, {0, 0}, {0, 0.6}}})).mesh, {0, 0}) ==
-              4);
+        CHECK(nodesAt(meshedJob(square({{{-0.6, 0}, {0, 0}, {0.5, 0.4}}, {{0, 0}, {0.5, -0.4}}})).mesh, {0, 0}) == 3);
+        CHECK(nodesAt(meshedJob(square({{{-0.6, 0}, {0, 0}, {0.6, 0.1}}, {{0, -0.6}, {0, 0}, {0, 0.6}}})).mesh,
+                      {0, 0}) == 4);
     }
     SUBCASE("a closed line cuts out a part") {
         const MeshingOutcome made =
-            meshed(square({{{-0.4, -0.4}, {0.4, -0.4}, {0.4, 0.4}, {-0.4, 0.4}, {-0.4, -0.4}}}));
+            meshedJob(square({{{-0.4, -0.4}, {0.4, -0.4}, {0.4, 0.4}, {-0.4, 0.4}, {-0.4, -0.4}}}));
         CHECK(made.cracks.tips == 0);
         CHECK(made.cracks.addedNodes == made.cracks.cracks[0].edges);
     }
 }
 
 TEST_CASE("Cracks: the left face keeps the tag") {
-    const Mesh mesh = meshed(square({{{-0.5, 0}, {0.5, 0}}})).mesh;
+    const Mesh mesh = meshedJob(square({{{-0.5, 0}, {0.5, 0}}})).mesh;
     for (const TaggedEdge &edge : mesh.edges) {
         if (edge.tag < 5) {
             continue;
@@ -157,9 +142,9 @@ TEST_CASE("Cracks: opened in meshes of every kind, and closed again") {
             MeshingJob job = square({{{-0.6, 0}, {0, 0}, {0.6, 0.1}}, {{0, -0.6}, {0, 0}, {0, 0.6}}});
             job.options.elements = elements;
             job.options.order = order;
-            const MeshingOutcome made = meshed(job);
+            const MeshingOutcome made = meshedJob(job);
             job.cracks.clear();
-            const Mesh whole = meshed(job).mesh;
+            const Mesh whole = meshedJob(job).mesh;
             CHECK(usedNodes(made.mesh) == usedNodes(whole) + made.cracks.addedNodes);
             const std::int32_t cracks[] = {5};
             CHECK(verifyCracks(made.mesh, cracks).empty());
@@ -167,7 +152,7 @@ TEST_CASE("Cracks: opened in meshes of every kind, and closed again") {
             REQUIRE(closed.lines.size() == 1);
             CHECK(closed.lines[0].tag == 5);
             CHECK(closed.lines[0].other == 6);
-            CHECK(closed.lines[0].edges == edgesWith(made.mesh, 5));
+            CHECK(closed.lines[0].edges == edgesTagged(made.mesh, 5));
             CHECK(usedNodes(closed.mesh) == usedNodes(whole));
             CHECK(closed.mesh.edges.size() == whole.edges.size());
             const Diagnostics found = verify(made.mesh);
@@ -189,7 +174,7 @@ TEST_CASE("Cracks: random lines") {
         job.spacing.size = 0.2 + 0.1 * number(random);
         job.options.elements = round % 3 == 0 ? Elements::Quads : Elements::Triangles;
         job.options.order = round % 4 == 1 ? ElementOrder::Second : ElementOrder::First;
-        const MeshingOutcome made = meshed(job); // checks itself
+        const MeshingOutcome made = meshedJob(job); // checks itself
         CHECK(made.cracks.tips == 2);
     }
 }
@@ -197,7 +182,7 @@ TEST_CASE("Cracks: random lines") {
 TEST_CASE("Cracks: points on them are kept on all copies of their nodes") {
     MeshingJob job = square({{{-0.5, 0}, {0.1, 0.2}, {0.5, 0}}});
     job.cracks.clear();
-    Mesh mesh = meshed(job).mesh;
+    Mesh mesh = meshedJob(job).mesh;
     const auto bend = std::find(mesh.nodes.begin(), mesh.nodes.end(), Vec2{0.1, 0.2});
     mesh.points.push_back({NodeId{static_cast<std::uint32_t>(bend - mesh.nodes.begin())}, 9});
     const std::int32_t cracks[] = {5};
@@ -213,7 +198,7 @@ TEST_CASE("Cracks: points on them are kept on all copies of their nodes") {
 TEST_CASE("Cracks: where the highest tag is used, the right face gets an unused one") {
     MeshingJob job = square({{{-0.5, 0}, {0.5, 0}}});
     job.cracks.clear();
-    Mesh mesh = meshed(job).mesh;
+    Mesh mesh = meshedJob(job).mesh;
     mesh.points.push_back({mesh.edges[0].a, std::numeric_limits<std::int32_t>::max()});
     const std::int32_t cracks[] = {5};
     const Result<CrackReport> report = openCracks(mesh, cracks);
@@ -229,14 +214,14 @@ TEST_CASE("Cracks: what cannot open is refused with its place") {
     CHECK(outcome.faults().front().at == Vec2{0, 0});
     job = square({{{-0.5, 0}, {0.5, 0}}});
     job.cracks = {1};
-    CHECK(codeOf(job) == "crack-outside");
+    CHECK(refusalOf(job) == "crack-outside");
     job.cracks = {5, 5};
-    CHECK(codeOf(job) == "repeated-crack");
+    CHECK(refusalOf(job) == "repeated-crack");
     job.cracks = {7};
-    CHECK(codeOf(job) == "unknown-boundary");
+    CHECK(refusalOf(job) == "unknown-boundary");
     job.cracks = {5};
     job.domain.boundaryNames[1] = "joint_right";
-    CHECK(codeOf(job) == "crack-name");
+    CHECK(refusalOf(job) == "crack-name");
     job = toTheSide();
     for (DomainSegment &segment : job.domain.segments) {
         const double x = job.domain.nodes[segment.a].x + job.domain.nodes[segment.b].x;
@@ -244,7 +229,7 @@ TEST_CASE("Cracks: what cannot open is refused with its place") {
     }
     job.cracks.clear();
     job.periodic = {{2, 3}};
-    CHECK(codeOf(job) == "periodic-sides"); // the node of the tip has no image
+    CHECK(refusalOf(job) == "periodic-sides"); // the node of the tip has no image
     job.domain.nodes.push_back({-1, 0});
     const auto left = static_cast<std::uint32_t>(job.domain.nodes.size() - 1);
     for (std::size_t s = 0; s < job.domain.segments.size(); ++s) {
@@ -256,9 +241,9 @@ TEST_CASE("Cracks: what cannot open is refused with its place") {
             break;
         }
     }
-    CHECK(codeOf(job).empty());
+    CHECK(refusalOf(job).empty());
     job.cracks = {5};
-    CHECK(codeOf(job) == "crack-periodic");
+    CHECK(refusalOf(job) == "crack-periodic");
 }
 
 TEST_CASE("Cracks: faults of their nodes are found") {
@@ -266,11 +251,11 @@ TEST_CASE("Cracks: faults of their nodes are found") {
     const std::int32_t cracks[] = {5};
     MeshingJob uncracked = job;
     uncracked.cracks.clear();
-    Mesh mesh = meshed(uncracked).mesh;
+    Mesh mesh = meshedJob(uncracked).mesh;
     REQUIRE(verifyCracks(mesh, cracks).size() == 1);
     CHECK(verifyCracks(mesh, cracks).front().code == "crack-closed");
     CHECK(verifyAgainst(mesh, job.domain, {}, kMaxListedFaults, {}, true, cracks).front().code == "crack-closed");
-    mesh = meshed(job).mesh;
+    mesh = meshedJob(job).mesh;
     CHECK(verifyAgainst(mesh, job.domain).front().code != "open-line"); // without cracks, double edges are faults
     std::vector<NodeId> copies;                                         // of the crossing
     for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -294,7 +279,7 @@ TEST_CASE("Cracks: faults of their nodes are found") {
 
 TEST_CASE("Cracks: meshes that are read are meshed again with them") {
     const MeshingJob job = toTheSide();
-    const Mesh mesh = meshed(job).mesh;
+    const Mesh mesh = meshedJob(job).mesh;
     Result<MeshDomain> outline = domainOfMesh(mesh);
     REQUIRE(outline);
     CHECK(outline->cracks == std::vector<std::int32_t>{5});
@@ -304,7 +289,7 @@ TEST_CASE("Cracks: meshes that are read are meshed again with them") {
     again.spacing.size = 0.1;
     again.cracks = outline->cracks;
     again.options.verify = true;
-    CHECK(meshed(again).cracks.tips == 1);
+    CHECK(meshedJob(again).cracks.tips == 1);
     Mesh bare = mesh;
     bare.edges.clear();
     bare.boundaryNames.clear();
@@ -314,7 +299,7 @@ TEST_CASE("Cracks: meshes that are read are meshed again with them") {
     CHECK(outline->domain.boundaryNames.at(outline->cracks[0]) == "crack");
     again.domain = outline->domain;
     again.cracks = outline->cracks;
-    CHECK(meshed(again).cracks.tips == 1);
+    CHECK(meshedJob(again).cracks.tips == 1);
 }
 
 namespace crack_cases {
@@ -357,7 +342,7 @@ TEST_CASE("Cracks: blocks whose nodes are not merged keep their tags, and their 
         job.cracks = outline->cracks;
         job.spacing.size = 0.3;
         job.options.verify = true;
-        CHECK(meshed(job).cracks.tips == 0);
+        CHECK(meshedJob(job).cracks.tips == 0);
         const Result<MeshDomain> left = domainOfMesh(mesh, {}, OpenLineRule::OwnTags);
         REQUIRE(left);
         CHECK(left->cracks.empty());
@@ -392,7 +377,7 @@ TEST_CASE("Cracks: a line with two other faces is one crack") {
 }
 
 TEST_CASE("Cracks: every format with names holds both faces") {
-    const Mesh mesh = meshed(square({{{-0.5, 0}, {0.1, 0.2}, {0.5, 0}}})).mesh;
+    const Mesh mesh = meshedJob(square({{{-0.5, 0}, {0.1, 0.2}, {0.5, 0}}})).mesh;
     const TemporaryFolder folder;
     for (const char *const name : {"m.msh", "m.vtu", "m.mesh", "m.inp", "m.su2", "m.unv", "m.bdf", "m.ele"}) {
         const std::filesystem::path path = folder / name;
@@ -427,7 +412,7 @@ TEST_CASE("Project: cracks are kept, and given to the job where their lines exis
     other.cracks.pop_back();
     CHECK_FALSE(sameContent(other, *document));
     CHECK(jobOf(*document).cracks == std::vector<std::int32_t>{4});
-    CHECK(meshed(jobOf(*document)).cracks.tips == 2);
+    CHECK(meshedJob(jobOf(*document)).cracks.tips == 2);
     for (const char *const wrong : {"{}", "[0]", "[4, 4]", "[\"a\"]"}) {
         CHECK_FALSE(project(wrong));
     }

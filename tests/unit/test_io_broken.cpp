@@ -66,8 +66,8 @@ std::vector<Seed> seeds() {
          "3\n1 1 2 0\n2 2 3 2\n3 3 0 3\n4 4 5 9\n5 5 6 9\n6 6 7 9\n7 7 4 9\n1\n0 1.5 1.5\n1\n0 0.5 0.5 4 0.1\n",
          faultsOf(readPoly)}};
     for (const Format &format : allFormats().formats()) {
-        if (format.readMesh != nullptr && format.writeMesh != nullptr) {
-            list.push_back({format.about.id, written(format.writeMesh, mesh), faultsOf(format.readMesh)});
+        if (format.readMesh != nullptr && format.writesText()) {
+            list.push_back({format.about.id, written(format, mesh), faultsOf(format.readMesh)});
         }
     }
     return list;
@@ -158,14 +158,14 @@ TEST_CASE(
 TEST_CASE("Broken files: counts that exceed the file are refused in every format with counts") {
     const TriMesh mesh = samples::square(3, 3);
     for (const Format &format : allFormats().formats()) {
-        if (format.readMesh == nullptr || format.writeMesh == nullptr || std::string_view(format.about.id) == "inp" ||
+        if (format.readMesh == nullptr || !format.writesText() || std::string_view(format.about.id) == "inp" ||
             std::string_view(format.about.id) == "obj" || std::string_view(format.about.id) == "vtu" ||
             std::string_view(format.about.id) == "nastran" || std::string_view(format.about.id) == "2dm" ||
             std::string_view(format.about.id) == "msh41-binary") { // see test_io_binary.cpp
             continue;
         }
         CAPTURE(std::string(format.about.id));
-        std::string text = written(format.writeMesh, mesh);
+        std::string text = written(format, mesh);
         const bool su2 = std::string_view(format.about.id) == "su2";
         const std::size_t count = text.find(su2 ? "NPOIN= 16" : "16") + (su2 ? 7 : 0);
         REQUIRE(count < text.size());

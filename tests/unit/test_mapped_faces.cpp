@@ -6,6 +6,7 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
+#include "tests/support/meshed_job.hpp"
 
 #include <doctest/doctest.h>
 
@@ -17,6 +18,7 @@
 #include <string>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace mapped_cases {
 
@@ -46,17 +48,6 @@ MeshingJob threeSquares() {
     return job;
 }
 
-MeshingOutcome meshed(const MeshingJob &job) {
-    Result<MeshingOutcome> outcome = meshDomain(job);
-    REQUIRE_MESSAGE(outcome, toString(outcome ? Diagnostic() : outcome.faults().front()));
-    return *std::move(outcome);
-}
-
-std::string codeOf(const MeshingJob &job) {
-    const Result<MeshingOutcome> outcome = meshDomain(job);
-    return outcome ? "" : outcome.faults().front().code;
-}
-
 std::map<CellKind, std::size_t> kindsOf(const Mesh &mesh, std::int32_t region) {
     std::map<CellKind, std::size_t> kinds;
     const MeshView view(mesh);
@@ -74,16 +65,16 @@ using namespace mapped_cases;
 TEST_CASE("Mapped faces: rows between opposite sides, quadrilaterals or triangles") {
     MeshingJob job = bar();
     job.options.elements = Elements::Quads;
-    const Mesh quads = meshed(job).mesh;
+    const Mesh quads = meshedJob(job).mesh;
     // The lower side asks 20 elements, the upper one 16, the left and right ones 4.
     CHECK(quads.elementCount() == 80);
     CHECK(kindsOf(quads, 1) == std::map<CellKind, std::size_t>{{CellKind::Quadrilateral4, 80}});
     CHECK(quads.nodes.size() == 21 * 5);
     job.options.elements = Elements::Triangles;
-    CHECK(meshed(job).mesh.elementCount() == 160);
+    CHECK(meshedJob(job).mesh.elementCount() == 160);
     job.options.order = ElementOrder::Second;
     job.options.elements = Elements::Mixed;
-    CHECK(kindsOf(meshed(job).mesh, 1).at(CellKind::Quadrilateral8) == 80);
+    CHECK(kindsOf(meshedJob(job).mesh, 1).at(CellKind::Quadrilateral8) == 80);
 }
 
 TEST_CASE("Mapped faces: numbers pass through neighbours, and other faces fit") {
@@ -91,7 +82,7 @@ TEST_CASE("Mapped faces: numbers pass through neighbours, and other faces fit") 
         MeshingJob job = threeSquares();
         job.options.elements = elements;
         job.mapped = {{1}, {2}};
-        const MeshingOutcome made = meshed(job);
+        const MeshingOutcome made = meshedJob(job);
         const std::size_t perQuad = elements == Elements::Triangles ? 2 : 1;
         const auto first = kindsOf(made.mesh, 1), second = kindsOf(made.mesh, 2);
         REQUIRE(first.size() == 1);
@@ -103,7 +94,7 @@ TEST_CASE("Mapped faces: numbers pass through neighbours, and other faces fit") 
             CHECK(kindsOf(made.mesh, 3).size() == 1);
         }
         job.mapped = {{1}, {2}, {3}};
-        CHECK(kindsOf(meshed(job).mesh, 3).begin()->second % (8 * perQuad) == 0);
+        CHECK(kindsOf(meshedJob(job).mesh, 3).begin()->second % (8 * perQuad) == 0);
     }
 }
 
@@ -114,7 +105,7 @@ TEST_CASE("Mapped faces: three corners, curved sides and given corners") {
     job.mapped = {{1}};
     job.options.verify = true;
     job.options.elements = Elements::Quads;
-    const auto kinds = kindsOf(meshed(job).mesh, 1);
+    const auto kinds = kindsOf(meshedJob(job).mesh, 1);
     CHECK(kinds.at(CellKind::Triangle3) == 4);
     CHECK(kinds.at(CellKind::Quadrilateral4) % 4 == 0);
 
@@ -144,18 +135,18 @@ TEST_CASE("Mapped faces: three corners, curved sides and given corners") {
     ring.mapped = {{1}};
     ring.options.verify = true;
     ring.options.elements = Elements::Quads;
-    const Mesh mesh = meshed(ring).mesh;
+    const Mesh mesh = meshedJob(ring).mesh;
     CHECK(mesh.elementCount() == 16 * 5); // the outer arc asks 16 elements, of which the inner one gets as many
     for (const Vec2 p : mesh.nodes) {
         const double r = std::hypot(p.x, p.y);
         CHECK(std::abs(5.0 * r - std::round(5.0 * r)) < 1e-9); // the rows are arcs
     }
     ring.mapped[0].corners = {{1, 0}, {2, 0}, {0, 2}, {0, 1}};
-    CHECK(meshed(ring).mesh.elementCount() == mesh.elementCount());
+    CHECK(meshedJob(ring).mesh.elementCount() == mesh.elementCount());
     ring.mapped[0].corners[2] = domain.nodes[6];
-    CHECK(codeOf(ring) == "mapped-corners"); // inside the arc
+    CHECK(refusalOf(ring) == "mapped-corners"); // inside the arc
     domain.points.push_back({6, 4});
-    CHECK(codeOf(ring).empty());
+    CHECK(refusalOf(ring).empty());
 }
 
 TEST_CASE("Mapped faces: random quadrangles and bent ones") {
@@ -188,26 +179,26 @@ TEST_CASE("Mapped faces: random quadrangles and bent ones") {
 TEST_CASE("Mapped faces: what cannot be mapped is refused with its place") {
     MeshingJob job = bar();
     job.mapped = {{2}};
-    CHECK(codeOf(job) == "unknown-region");
+    CHECK(refusalOf(job) == "unknown-region");
     job.mapped = {{1}, {1}};
-    CHECK(codeOf(job) == "repeated-mapped");
+    CHECK(refusalOf(job) == "repeated-mapped");
     job.mapped = {{1, {{0, 0}, {4, 0}, {4, 1}, {0.5, 1}}}};
-    CHECK(codeOf(job) == "mapped-corners");
+    CHECK(refusalOf(job) == "mapped-corners");
     job.mapped = {{1, {{0, 0}, {4, 0}}}};
-    CHECK(codeOf(job) == "mapped-corners");
+    CHECK(refusalOf(job) == "mapped-corners");
     job = bar();
     job.options.leastAngle = 25.0;
-    CHECK(codeOf(job) == "least-angle");
+    CHECK(refusalOf(job) == "least-angle");
     job = bar();
     job.layers = {LayerSpec{.tag = 1, .first = 0.01, .count = 2}};
-    CHECK(codeOf(job) == "mapped-layers");
+    CHECK(refusalOf(job) == "mapped-layers");
     job = bar();
     addLoop(job.domain, {{1, 0.3}, {2, 0.3}, {2, 0.6}});
-    CHECK(codeOf(job) == "mapped-outline");
+    CHECK(refusalOf(job) == "mapped-outline");
     job = bar();
     job.domain.nodes.push_back({1, 0.5});
     job.domain.points.push_back({4, 1});
-    CHECK(codeOf(job) == "mapped-outline");
+    CHECK(refusalOf(job) == "mapped-outline");
     job = bar();
     job.spacing.placed.elements = {7, 0, 9, 0};
     const Result<MeshingOutcome> outcome = meshDomain(job);
@@ -215,14 +206,14 @@ TEST_CASE("Mapped faces: what cannot be mapped is refused with its place") {
     CHECK(outcome.faults().front().code == "mapped-sides");
     CHECK(outcome.faults().front().at.has_value());
     job.spacing.placed.elements = {7, 0, 0, 0}; // the other side asks for more
-    CHECK(codeOf(job) == "mapped-sides");
+    CHECK(refusalOf(job) == "mapped-sides");
     job.spacing.placed.elements = {33, 0, 0, 0};
-    CHECK(codeOf(job).empty());
+    CHECK(refusalOf(job).empty());
     job = MeshingJob();
     addLoop(job.domain, {{0, 0}, {2, 0}, {3, 1}, {1, 2.5}, {-1, 1}});
     job.mapped = {{1}};
     job.spacing.size = 0.3;
-    CHECK(codeOf(job) == "mapped-corners");
+    CHECK(refusalOf(job) == "mapped-corners");
 }
 
 TEST_CASE("Mapped faces: too many elements are refused before they are made, and smoothing is cancelled") {
@@ -269,9 +260,9 @@ TEST_CASE("Mapped faces: nodes between the chords of a curve are no corners") {
     }
     job.spacing.size = 0.3;
     job.mapped = {{1}};
-    CHECK(codeOf(job) == "mapped-corners"); // the sides meet the arc smoothly: two corners are left
+    CHECK(refusalOf(job) == "mapped-corners"); // the sides meet the arc smoothly: two corners are left
     job.mapped[0].corners = {{-1, 0}, {-1, -1}, {1, -1}, {1, 0}};
-    CHECK(codeOf(job).empty());
+    CHECK(refusalOf(job).empty());
 }
 
 TEST_CASE("Mapped faces: the stepper has nothing to do where they fill the domain") {
@@ -279,14 +270,14 @@ TEST_CASE("Mapped faces: the stepper has nothing to do where they fill the domai
     REQUIRE(stepper);
     CHECK(stepper->finish());
     CHECK(stepper->atEnd());
-    CHECK(meshHash(stepper->mesh()) == meshHash(meshed(bar()).mesh));
+    CHECK(meshHash(stepper->mesh()) == meshHash(meshedJob(bar()).mesh));
 }
 
 TEST_CASE("Mapped faces: cracks and periodic sides") {
     MeshingJob job = threeSquares();
     job.mapped = {{1}, {2}, {3}};
     job.cracks = {2};
-    CHECK(meshed(job).cracks.addedNodes > 0);
+    CHECK(meshedJob(job).cracks.addedNodes > 0);
     job.cracks.clear();
     for (std::size_t s : {0U, 1U, 2U}) {
         job.domain.segments[s].tag = 5;
@@ -294,7 +285,7 @@ TEST_CASE("Mapped faces: cracks and periodic sides") {
     }
     job.periodic = {{5, 6}};
     job.spacing.expression = "0.12 + 0.06*x + 0.1*y";
-    CHECK(meshed(job).mesh.periodic.size() == 1);
+    CHECK(meshedJob(job).mesh.periodic.size() == 1);
 }
 
 TEST_CASE("RowGrid: straight sides give a lattice, and Winslow's equations undo a fold") {
@@ -334,7 +325,7 @@ TEST_CASE("Project: mapped regions are kept, and given to the job where they exi
     other.mapped[0].corners.pop_back();
     CHECK_FALSE(sameContent(other, *document));
     CHECK(jobOf(*document).mapped.size() == 1);
-    CHECK(codeOf(jobOf(*document)).empty());
+    CHECK(refusalOf(jobOf(*document)).empty());
     for (const char *const wrong :
          {"{}", "[4]", "[{}]", R"([{"region": 4}, {"region": 4}])", R"([{"region": 4, "corners": [[1]]}])"}) {
         CHECK_FALSE(project(wrong));

@@ -9,6 +9,7 @@
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/abaqus/abaqus.hpp"
 #include "core/files/gmsh/gmsh.hpp"
+#include "tests/support/meshed_job.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -93,26 +94,10 @@ MeshingJob sector(double angle, double inner) {
     return job;
 }
 
-MeshingOutcome meshed(const MeshingJob &job) {
-    Result<MeshingOutcome> outcome = meshDomain(job);
-    REQUIRE_MESSAGE(outcome, toString(outcome ? Diagnostic() : outcome.faults().front()));
-    return *std::move(outcome);
-}
-
 PeriodicPairs pairsOf(const Mesh &mesh, std::size_t link) {
     REQUIRE(mesh.periodic.size() > link);
     CHECK(verifyPeriodic(mesh).empty());
     return periodicPairs(mesh, mesh.periodic[link]);
-}
-
-std::size_t edgesWith(const Mesh &mesh, std::int32_t tag) {
-    return static_cast<std::size_t>(
-        std::count_if(mesh.edges.begin(), mesh.edges.end(), [&](const TaggedEdge &edge) { return edge.tag == tag; }));
-}
-
-std::string codeOf(const MeshingJob &job) {
-    const Result<MeshingOutcome> outcome = meshDomain(job);
-    return outcome ? std::string() : outcome.faults().front().code;
 }
 
 } // namespace periodic_cases
@@ -126,14 +111,14 @@ TEST_CASE("periodic parts: both sides of a cell have nodes with equal coordinate
             MeshingJob job = cell();
             job.options.elements = elements;
             job.options.order = order;
-            const Mesh mesh = meshed(job).mesh;
+            const Mesh mesh = meshedJob(job).mesh;
             const PeriodicPairs across = pairsOf(mesh, 0), up = pairsOf(mesh, 1);
             CHECK(across.link.map == RigidMap{1, 0, {1, 0}});
             CHECK(up.link.map == RigidMap{1, 0, {0, 1}});
             const std::size_t perEdge = order == ElementOrder::Second ? 2 : 1;
-            CHECK(across.pairs.size() == perEdge * edgesWith(mesh, 4) + 1);
-            CHECK(up.pairs.size() == perEdge * edgesWith(mesh, 1) + 1);
-            CHECK(edgesWith(mesh, 4) > 22); // as the left side asks, not the right one
+            CHECK(across.pairs.size() == perEdge * edgesTagged(mesh, 4) + 1);
+            CHECK(up.pairs.size() == perEdge * edgesTagged(mesh, 1) + 1);
+            CHECK(edgesTagged(mesh, 4) > 22); // as the left side asks, not the right one
             CHECK(across.exact == across.pairs.size());
             CHECK(up.exact == up.pairs.size());
             for (const NodePair &pair : across.pairs) {
@@ -147,35 +132,35 @@ TEST_CASE("periodic parts: both sides of a cell have nodes with equal coordinate
 TEST_CASE("periodic parts: the sizes inside grow from the side that is finer than its spacing") {
     MeshingJob job = cell();
     job.spacing.expression = "0.02 + 0.3*x";
-    const MeshingOutcome outcome = meshed(job);
+    const MeshingOutcome outcome = meshedJob(job);
     CHECK(outcome.spacing->at({1.0, 0.5}) < 0.03);
     CHECK(outcome.spacing->at({0.9, 0.5}) < 0.06);
     CHECK(outcome.spacing->at({0.5, 0.5}) > 0.1);
-    CHECK(edgesWith(outcome.mesh, 2) == edgesWith(outcome.mesh, 4));
+    CHECK(edgesTagged(outcome.mesh, 2) == edgesTagged(outcome.mesh, 4));
 }
 
 TEST_CASE("periodic parts: the order of the parts and of their nodes does not matter") {
     MeshingJob job = cell();
     job.periodic = {{2, 4}};
     std::swap(job.domain.segments[1].a, job.domain.segments[1].b);
-    const Mesh mesh = meshed(job).mesh;
+    const Mesh mesh = meshedJob(job).mesh;
     const PeriodicPairs pairs = pairsOf(mesh, 0);
     CHECK(pairs.link.map.shift == Vec2{-1, 0});
     CHECK(pairs.exact == pairs.pairs.size());
-    CHECK(edgesWith(mesh, 4) > 22);
+    CHECK(edgesTagged(mesh, 4) > 22);
 }
 
 TEST_CASE("periodic parts: curved sides") {
     for (const ElementOrder order : {ElementOrder::First, ElementOrder::Second}) {
         MeshingJob job = passage();
         job.options.order = order;
-        const Mesh mesh = meshed(job).mesh;
+        const Mesh mesh = meshedJob(job).mesh;
         const PeriodicPairs pairs = pairsOf(mesh, 0);
         CHECK(pairs.link.map.translates());
-        CHECK(pairs.pairs.size() == (order == ElementOrder::Second ? 2 : 1) * edgesWith(mesh, 1) + 1);
+        CHECK(pairs.pairs.size() == (order == ElementOrder::Second ? 2 : 1) * edgesTagged(mesh, 1) + 1);
         CHECK(pairs.exact + 2 >= pairs.pairs.size()); // the ends are given
         CHECK(pairs.deviation < 1e-15);
-        CHECK(edgesWith(mesh, 1) >= 18);
+        CHECK(edgesTagged(mesh, 1) >= 18);
     }
 }
 
@@ -184,11 +169,11 @@ TEST_CASE("periodic parts: turned sides") {
         for (const double angle : {0.2, 0.5, 0.5 * std::numbers::pi, 2.0}) {
             CAPTURE(inner);
             CAPTURE(angle);
-            const Mesh mesh = meshed(sector(angle, inner)).mesh;
+            const Mesh mesh = meshedJob(sector(angle, inner)).mesh;
             const PeriodicPairs pairs = pairsOf(mesh, 0);
             CHECK(std::atan2(pairs.link.map.s, pairs.link.map.c) == doctest::Approx(angle));
             CHECK(length(pairs.link.map.shift) < 1e-12);
-            CHECK(pairs.pairs.size() == edgesWith(mesh, 2) + (inner > 0.0 ? 1 : 0));
+            CHECK(pairs.pairs.size() == edgesTagged(mesh, 2) + (inner > 0.0 ? 1 : 0));
             CHECK(pairs.exact + 2 >= pairs.pairs.size());
             CHECK(pairs.deviation < 1e-14);
         }
@@ -215,10 +200,10 @@ TEST_CASE("periodic parts: random sides") {
         job.periodic = {{2, 3}};
         job.options.verify = true;
         job.options.elements = round % 2 == 0 ? Elements::Triangles : Elements::Quads;
-        const Mesh mesh = meshed(job).mesh;
+        const Mesh mesh = meshedJob(job).mesh;
         const PeriodicPairs pairs = pairsOf(mesh, 0);
-        CHECK(pairs.pairs.size() == edgesWith(mesh, 2) + 1);
-        CHECK(edgesWith(mesh, 2) == edgesWith(mesh, 3));
+        CHECK(pairs.pairs.size() == edgesTagged(mesh, 2) + 1);
+        CHECK(edgesTagged(mesh, 2) == edgesTagged(mesh, 3));
         CHECK(pairs.exact + 5 >= pairs.pairs.size());
     }
 }
@@ -226,14 +211,14 @@ TEST_CASE("periodic parts: random sides") {
 TEST_CASE("periodic parts: numbers of elements count on the first part, and given segments stay") {
     MeshingJob job = cell();
     job.spacing.placed.elements = {0, 0, 0, 7};
-    CHECK(edgesWith(meshed(job).mesh, 2) == 7);
+    CHECK(edgesTagged(meshedJob(job).mesh, 2) == 7);
     job.spacing.placed.elements = {0, 6, 0, 7};
-    CHECK(codeOf(job) == "periodic-elements");
+    CHECK(refusalOf(job) == "periodic-elements");
     job.spacing.placed.elements = {0, 6, 0, 0};
-    CHECK(codeOf(job) == "periodic-elements");
+    CHECK(refusalOf(job) == "periodic-elements");
     job.spacing.placed.elements = {};
     job.options.keepBoundary = true;
-    CHECK(pairsOf(meshed(job).mesh, 0).pairs.size() == 2);
+    CHECK(pairsOf(meshedJob(job).mesh, 0).pairs.size() == 2);
 }
 
 TEST_CASE("periodic parts: what cannot be paired is refused with its place") {
@@ -246,17 +231,17 @@ TEST_CASE("periodic parts: what cannot be paired is refused with its place") {
     CHECK(outcome.faults().front().message.find("nearest node of right is 0.00") != std::string::npos);
     job = cell();
     job.periodic = {{4, 9}};
-    CHECK(codeOf(job) == "unknown-boundary");
+    CHECK(refusalOf(job) == "unknown-boundary");
     job.periodic = {{4, 4}};
-    CHECK(codeOf(job) == "repeated-periodic");
+    CHECK(refusalOf(job) == "repeated-periodic");
     job.periodic = {{4, 2}, {2, 1}};
-    CHECK(codeOf(job) == "repeated-periodic");
+    CHECK(refusalOf(job) == "repeated-periodic");
     job = cell();
     job.options.leastAngle = 25.0;
-    CHECK(codeOf(job) == "least-angle");
+    CHECK(refusalOf(job) == "least-angle");
     job = cell();
     job.layers = {LayerSpec{.tag = 1, .first = 0.01, .count = 2}};
-    CHECK(codeOf(job) == "periodic-layers");
+    CHECK(refusalOf(job) == "periodic-layers");
     job = cell(); // a line inside, and its copy on the boundary
     job.domain.nodes.insert(job.domain.nodes.end(), {{0.5, 0.0}, {0.5, 1.0}});
     job.domain.segments[0] = {0, 4, 1, SegmentRole::Boundary};
@@ -265,13 +250,13 @@ TEST_CASE("periodic parts: what cannot be paired is refused with its place") {
     job.domain.segments.push_back({5, 3, 3, SegmentRole::Boundary});
     job.domain.segments.push_back({4, 5, 8, SegmentRole::Constraint});
     job.periodic = {{4, 8}};
-    CHECK(codeOf(job) == "periodic-inside");
+    CHECK(refusalOf(job) == "periodic-inside");
     job.periodic = {{1, 3}, {4, 2}};
-    CHECK(codeOf(job).empty());
+    CHECK(refusalOf(job).empty());
 }
 
 TEST_CASE("periodic parts: a mesh whose pairs were disturbed is found") {
-    Mesh mesh = meshed(cell()).mesh;
+    Mesh mesh = meshedJob(cell()).mesh;
     const PeriodicPairs pairs = pairsOf(mesh, 0);
     mesh.nodes[index(pairs.pairs[5].to)].y += 1e-6;
     REQUIRE(verifyPeriodic(mesh).size() == 1);
@@ -279,7 +264,7 @@ TEST_CASE("periodic parts: a mesh whose pairs were disturbed is found") {
 }
 
 TEST_CASE("periodic parts: MSH files hold the pairs, Abaqus files tell them") {
-    const Mesh mesh = meshed(cell()).mesh;
+    const Mesh mesh = meshedJob(cell()).mesh;
     const std::size_t pairs = pairsOf(mesh, 0).pairs.size();
     const std::string msh2 = written(writeMsh2, mesh), msh4 = written(writeMsh4, mesh),
                       binary = written(writeMsh4Binary, mesh), abaqus = written(writeAbaqus, mesh);
@@ -305,7 +290,7 @@ TEST_CASE("periodic parts: MSH files hold the pairs, Abaqus files tell them") {
 }
 
 TEST_CASE("periodic parts: pairs with unknown nodes are skipped, those of other dimensions not looked up") {
-    std::string text = written(writeMsh2, meshed(cell()).mesh);
+    std::string text = written(writeMsh2, meshedJob(cell()).mesh);
     const std::string section = "$Periodic\n2\n";
     const std::size_t at = text.find(section);
     REQUIRE(at != std::string::npos);
@@ -326,7 +311,7 @@ TEST_CASE("periodic parts: those of a mesh are left out beside what excludes the
 }
 
 TEST_CASE("periodic parts: a mesh becomes a domain with those that bound it") {
-    Mesh mesh = meshed(cell()).mesh;
+    Mesh mesh = meshedJob(cell()).mesh;
     Result<MeshDomain> outline = domainOfMesh(mesh);
     REQUIRE(outline);
     CHECK(outline->periodic.size() == 2);

@@ -10,6 +10,7 @@
 #include "core/engine/quads/walk_triangles.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/meshing_session.hpp"
+#include "tests/support/meshed_job.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>
@@ -47,12 +48,6 @@ Domain polygon(const std::vector<Vec2> &nodes) {
     return domain;
 }
 
-MeshingOutcome meshedQuads(const MeshingJob &job) {
-    Result<MeshingOutcome> outcome = meshDomain(job);
-    REQUIRE(outcome);
-    return *std::move(outcome);
-}
-
 /// Returns the codes of errors and warnings of a mesh against its domain, without those of shapes.
 std::set<std::string> faultsOf(const Mesh &mesh, const Domain &domain, bool shapes) {
     const std::set<std::string> ofShapes = {"concave-element", "flat-element", "inverted-element", "zero-area"};
@@ -83,7 +78,7 @@ double leastScaledJacobian(const Mesh &mesh) {
 } // namespace
 
 TEST_CASE("quads: a square of even sides is a lattice of squares") {
-    const MeshingOutcome outcome = meshedQuads(quadJob(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), "0.05"));
+    const MeshingOutcome outcome = meshedJob(quadJob(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), "0.05"));
     CHECK(outcome.mesh.elementCount() == 400);
     CHECK(outcome.quads.irregularNodes == 0);
     CHECK(outcome.quads.triangles == 0);
@@ -93,7 +88,7 @@ TEST_CASE("quads: a square of even sides is a lattice of squares") {
 
 TEST_CASE("quads: a disc has quadrilaterals alone, few irregular nodes, and no poor shape") {
     const Domain domain = polygon(circle(178, 1.0));
-    const MeshingOutcome outcome = meshedQuads(quadJob(domain, "0.0353"));
+    const MeshingOutcome outcome = meshedJob(quadJob(domain, "0.0353"));
     CHECK(faultsOf(outcome.mesh, domain, true).empty());
     CHECK(outcome.quads.triangles == 0);
     CHECK(outcome.quads.notConvex == 0);
@@ -104,11 +99,11 @@ TEST_CASE("quads: a disc has quadrilaterals alone, few irregular nodes, and no p
 TEST_CASE("quads: an odd boundary gets one more node, a kept one keeps one triangle") {
     const Domain domain = polygon(circle(31, 1.0));
     MeshingJob job = quadJob(domain, "0.2");
-    const MeshingOutcome even = meshedQuads(job);
+    const MeshingOutcome even = meshedJob(job);
     CHECK(even.boundary->segments.size() % 2 == 0);
     CHECK(even.quads.triangles == 0);
     job.options.keepBoundary = true;
-    const MeshingOutcome kept = meshedQuads(job);
+    const MeshingOutcome kept = meshedJob(job);
     CHECK(kept.boundary->segments.size() == 31);
     CHECK(kept.quads.oddEdges == 1);
     CHECK(kept.quads.triangles == 1);
@@ -119,7 +114,7 @@ TEST_CASE("quads: a line with a given number of elements keeps it") {
     const Domain domain = polygon({{0, 0}, {1, 0}, {0.5, 1}});
     MeshingJob job = quadJob(domain, "0.2");
     job.spacing.placed.elements = {3, 0, 0};
-    const MeshingOutcome outcome = meshedQuads(job);
+    const MeshingOutcome outcome = meshedJob(job);
     CHECK(outcome.quads.triangles == 0);
     const auto &segments = outcome.boundary->segments;
     CHECK(std::count_if(segments.begin(), segments.end(), [](const auto &s) { return s.source == 0; }) == 3);
@@ -145,7 +140,7 @@ TEST_CASE("quads: random domains are closed and follow their boundaries; all gri
         job.domain = randomDomain(seed);
         job.options.elements = seed % 7 == 3 ? Elements::Mixed : Elements::Quads;
         job.options.keepBoundary = seed % 5 == 0;
-        const MeshingOutcome outcome = meshedQuads(job);
+        const MeshingOutcome outcome = meshedJob(job);
         CHECK(faultsOf(outcome.mesh, job.domain, false) == std::set<std::string>{});
         if (job.options.elements == Elements::Quads && !job.options.keepBoundary) {
             CHECK(outcome.quads.triangles == 0);
@@ -154,7 +149,7 @@ TEST_CASE("quads: random domains are closed and follow their boundaries; all gri
         if (seed % 8 == 1) {
             for (const GridKind grid : {GridKind::None, GridKind::Uniform, GridKind::Hierarchical}) {
                 job.options.grid = grid;
-                CHECK(meshHash(meshedQuads(job).mesh) == meshHash(outcome.mesh));
+                CHECK(meshHash(meshedJob(job).mesh) == meshHash(outcome.mesh));
             }
         }
     }
@@ -248,6 +243,6 @@ TEST_CASE("quads: the bits of some meshes") {
     for (const Pinned &pinned : all) {
         const std::string name = pinned.name;
         CAPTURE(name);
-        CHECK(toHex(meshHash(meshedQuads(pinned.job).mesh)) == toHex(pinned.hash));
+        CHECK(toHex(meshHash(meshedJob(pinned.job).mesh)) == toHex(pinned.hash));
     }
 }

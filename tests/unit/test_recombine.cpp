@@ -19,7 +19,7 @@ using namespace forefront;
 namespace recombine_cases {
 
 /// A plate with a hole and two regions.
-MeshingJob plate() {
+MeshingJob holedPlate() {
     MeshingJob job;
     addLoop(job.domain, {{0, 0}, {4, 0}, {4, 2}, {0, 2}});
     addLoop(job.domain, {{1, 0.6}, {1, 1.4}, {1.6, 1.4}, {1.6, 0.6}}, 2);
@@ -58,7 +58,7 @@ std::set<PlacedEdge> placedEdges(const Mesh &mesh) {
 using namespace recombine_cases;
 
 TEST_CASE("Recombine: quadrilaterals with the same boundary, interfaces and regions") {
-    const MeshingJob job = plate();
+    const MeshingJob job = holedPlate();
     const Mesh triangles = meshOf(job);
     Mesh mesh = triangles;
     const Result<QuadReport> report = recombine(mesh);
@@ -93,13 +93,13 @@ TEST_CASE("Recombine: a face with an odd number of edges keeps one triangle") {
 }
 
 TEST_CASE("Recombine: cracks, clockwise meshes, and what cannot be recombined") {
-    MeshingJob job = plate();
+    MeshingJob job = holedPlate();
     job.cracks = {3};
     Mesh mesh = meshOf(job);
     REQUIRE(recombine(mesh));
     const std::int32_t cracks[] = {3};
     CHECK_FALSE(hasErrors(verifyAgainst(mesh, job.domain, {}, kMaxListedFaults, {}, true, cracks)));
-    Mesh other = turned(meshOf(plate()));
+    Mesh other = turned(meshOf(holedPlate()));
     REQUIRE(recombine(other));
     CHECK_FALSE(isClockwise(other));
     job.options.order = ElementOrder::Second;
@@ -107,7 +107,7 @@ TEST_CASE("Recombine: cracks, clockwise meshes, and what cannot be recombined") 
     const std::uint64_t before = meshHash(mesh);
     REQUIRE_FALSE(recombine(mesh));
     CHECK(meshHash(mesh) == before);
-    mesh = meshOf(plate());
+    mesh = meshOf(holedPlate());
     std::swap(mesh.nodes[20], mesh.nodes[60]);
     CHECK_FALSE(recombine(mesh));
 }
