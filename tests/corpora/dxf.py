@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 """Reads public DXF drawings, compares their curves with those that ezdxf finds, meshes them and prints tables.
 
-    python3 tests/corpora/dxf.py fetch --corpus DIR [--repositories DIR]
+    python3 tests/corpora/dxf.py fetch --corpus DIR [--repositories DIR] [--only REPOSITORY]...
     python3 tests/corpora/dxf.py run   --corpus DIR --build build/release [--only REPOSITORY]... >tests/corpora/dxf.md
 
 For each file, `run` compares by layer the length and the bounds of all curves with those of ezdxf, flattened finely. Then
 it meshes the file and checks the mesh against it. If all curves of a file are closed, the area of the mesh is compared
 with that of the faces inside an odd number of them, by GEOS.
 
-Needs the Debian packages git, python3-ezdxf and python3-shapely.
+The files come from public repositories and from Debian packages of programs, which must be in the sources of apt. Needs
+the Debian packages git, python3-ezdxf and python3-shapely.
 """
 
 import argparse
@@ -42,21 +43,38 @@ REPOSITORIES = [
     ("arbaev/dxf-kit", "MIT", 150, ["*.dxf"]),
     ("dotoritos-kim/dxf-json", "GPL-3.0", 150, ["*.dxf"]),
 ]
+# Debian package, licence, maximum number of files
+PACKAGES = [("librecad-data", "GPL-2.0", 60), ("freecad-common", "LGPL-2.1", 60)]
 MAX_BYTES = 400_000  # of a file: ezdxf is slow
 SECONDS = 20  # for ezdxf and for meshing one file
 MAX_AREA_ERROR = 0.005
 
 
-def fetch(corpus, clones):
-    with tempfile.TemporaryDirectory() as scratch:
-        for name, _, limit, patterns in REPOSITORIES:
+def some(paths, limit):
+    return paths[:: max(1, math.ceil(len(paths) / limit))]
+
+
+def fetch(corpus, clones, only):
+    def keep(name, path, content):
+        if len(content) <= MAX_BYTES:
             folder = corpus / name.replace("/", "+")
             folder.mkdir(parents=True, exist_ok=True)
-            repository = sources.open_repository(name, clones, scratch)
-            paths = repository.paths(*patterns)
-            for path, content in repository.read(paths[:: max(1, math.ceil(len(paths) / limit))]):
-                if len(content) <= MAX_BYTES:
-                    (folder / path.replace("/", "_").replace(" ", "_")).write_bytes(content)
+            (folder / path.replace("/", "_").replace(" ", "_")).write_bytes(content)
+
+    with tempfile.TemporaryDirectory() as scratch:
+        for name, _, limit, patterns in REPOSITORIES:
+            if not only or name in only:
+                repository = sources.open_repository(name, clones, scratch)
+                for path, content in repository.read(some(repository.paths(*patterns), limit)):
+                    keep(name, path, content)
+        for name, _, limit in PACKAGES:
+            if not only or name in only:
+                unpacked = pathlib.Path(scratch, name)
+                subprocess.run(["apt-get", "download", name], cwd=scratch, check=True, capture_output=True)
+                package = next(pathlib.Path(scratch).glob(f"{name}_*.deb"))
+                subprocess.run(["dpkg-deb", "--extract", package, unpacked], check=True)
+                for path in some(sorted(unpacked.rglob("*.[dD][xX][fF]")), limit):
+                    keep(name, str(path.relative_to(unpacked)), path.read_bytes())
 
 
 def even_odd_area(lines, size):
@@ -143,7 +161,7 @@ def run(corpus, build, only):
     print("| source | licence | files | curves as by ezdxf | differ | no reference | refused | meshed | valid | area right | not "
           "meshed |\n|---|---|---|---|---|---|---|---|---|---|---|")
     remarks = []
-    for name, licence, _, _ in REPOSITORIES:
+    for name, licence in [each[:2] for each in REPOSITORIES + PACKAGES]:
         if only and name not in only:
             continue
         rows = [judge(build, path) for path in sorted((corpus / name.replace("/", "+")).iterdir())]
@@ -169,11 +187,11 @@ def main():
     parser.add_argument("--corpus", type=pathlib.Path, required=True, help="folder of the files")
     parser.add_argument("--repositories", type=pathlib.Path, help="folder of clones named OWNER+NAME")
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build/release"))
-    parser.add_argument("--only", action="append", help="repository, such as mozman/ezdxf; default: all")
+    parser.add_argument("--only", action="append", help="repository or package, such as mozman/ezdxf; default: all")
     arguments = parser.parse_args()
     logging.disable(logging.CRITICAL)
     if arguments.command == "fetch":
-        fetch(arguments.corpus, arguments.repositories)
+        fetch(arguments.corpus, arguments.repositories, arguments.only)
     else:
         run(arguments.corpus, arguments.build, arguments.only)
 
