@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kMaxLines = 20'000; ///< rays drawn; more would be a grey band
 constexpr std::size_t kMaxNotes = 200;    ///< shortened rays with a label
-constexpr double kMinLine = 3.0;          ///< pixels of a ray worth drawing
+constexpr double kMinLine = 3.0;          ///< design pixels of a ray worth drawing
+constexpr double kMinNoted = 16.0;        ///< ... and worth a label
 
 /// Returns what a shortened ray says: its layers, those asked for, and what stopped it.
 std::string noteOf(const ShortenedRay &ray, const LayerFrame &frame) {
@@ -52,7 +53,7 @@ class BoundaryLayersLayer final : public Layer {
         const Box2 visible = frame.camera.visible();
         std::size_t drawn = 0;
         for (const LayerLine &line : report->lines) {
-            if (drawn < kMaxLines && isWorthDrawing(frame, visible, line.base, line.end)) {
+            if (drawn < kMaxLines && isSeen(frame, visible, line.base, line.end, kMinLine)) {
                 painter.line(line.base, line.end, fade(frame.theme.constraint, 0.7), 1.0);
                 ++drawn;
             }
@@ -62,35 +63,42 @@ class BoundaryLayersLayer final : public Layer {
     }
 
   private:
-    static bool isWorthDrawing(const LayerFrame &frame, const Box2 &visible, Vec2 from, Vec2 to) {
-        return boxOf(from, to).overlaps(visible) && frame.camera.zoom * distance(from, to) >= kMinLine * frame.scale;
+    static bool isSeen(const LayerFrame &frame, const Box2 &visible, Vec2 from, Vec2 to, double pixels) {
+        return boxOf(from, to).overlaps(visible) && frame.camera.zoom * distance(from, to) >= pixels * frame.scale;
     }
 
     static void drawShortened(CanvasPainter &painter, const LayerFrame &frame, const LayerReport &report,
                               const Box2 &visible) {
         std::size_t notes = 0;
         for (const ShortenedRay &ray : report.shortened) {
-            if (!visible.contains(ray.base) && !visible.contains(ray.end)) {
+            if (!isSeen(frame, visible, ray.base, ray.end, kMinLine)) {
                 continue;
             }
             painter.line(ray.base, ray.end, frame.theme.warn, 2.0);
             painter.cross(ray.end, 3.0, frame.theme.warn);
-            if (notes < kMaxNotes && painter.freeLabel(ray.end, Pixel(8.0, -8.0), noteOf(ray, frame), frame.theme.text,
-                                                       fade(frame.theme.popup, 0.9), frame.fonts.small)) {
+            if (notes < kMaxNotes && isSeen(frame, visible, ray.base, ray.end, kMinNoted) &&
+                painter.freeLabel(ray.end, Pixel(8.0, -8.0), noteOf(ray, frame), frame.theme.text,
+                                  fade(frame.theme.popup, 0.9), frame.fonts.small)) {
                 ++notes;
             }
         }
     }
 
-    /// Writes the number of layers at the first ray and wherever it changes along a wall.
+    /// Writes the number of layers at the first ray and wherever it changes along a wall, but not at shortened rays,
+    /// which say it themselves; they come in the same order.
     static void drawCounts(CanvasPainter &painter, const LayerFrame &frame, const LayerReport &report,
                            const Box2 &visible) {
         std::size_t notes = 0;
         const LayerLine *before = nullptr;
+        auto shortened = report.shortened.begin();
         for (const LayerLine &line : report.lines) {
             const bool changes = before == nullptr || before->layers != line.layers;
             before = &line;
-            if (changes && notes < kMaxNotes && isWorthDrawing(frame, visible, line.base, line.end) &&
+            if (shortened != report.shortened.end() && shortened->base == line.base) {
+                ++shortened;
+                continue;
+            }
+            if (changes && notes < kMaxNotes && isSeen(frame, visible, line.base, line.end, kMinNoted) &&
                 painter.freeLabel(line.end, Pixel(8.0, -8.0), std::to_string(line.layers), frame.theme.muted,
                                   fade(frame.theme.popup, 0.82), frame.fonts.small)) {
                 ++notes;
