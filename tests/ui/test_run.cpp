@@ -188,7 +188,8 @@ TEST_CASE("Run: each layer changes the canvas, and hiding it restores the canvas
     }
     // The tint covers the fill of the domain. There are no marks, faults, guides, constraints, picture or step of the
     // improvement here.
-    const std::set<std::string> covered{"domain", "marks", "faults", "picture", "guides", "sketch", "improvement"};
+    const std::set<std::string> covered{"domain", "marks",       "faults", "picture", "guides",
+                                        "sketch", "improvement", "rays",   "links"};
     for (const LayerSlot &slot : driver.context().layers) {
         const std::string id = slot.layer->id();
         CAPTURE(id);

@@ -41,6 +41,10 @@ std::unique_ptr<Layer> makeNumbersLayer();
 std::unique_ptr<Layer> makeDimensionsLayer();
 /// Draws the constraints of the sketch, with the values of its dimensions.
 std::unique_ptr<Layer> makeSketchLayer();
+/// Draws the rays of boundary layers, and those that are shorter than asked for.
+std::unique_ptr<Layer> makeBoundaryLayersLayer();
+/// Draws cracks, periodic parts and mapped regions.
+std::unique_ptr<Layer> makeLinksLayer();
 /// Draws the guides.
 std::unique_ptr<Layer> makeGuidesLayer();
 /// Draws size sources and region markers.

@@ -17,7 +17,9 @@ std::vector<std::unique_ptr<Layer>> makeLayers() {
     layers.push_back(makeTestsLayer());
     layers.push_back(makeCandidatesLayer());
     layers.push_back(makeImprovementLayer());
+    layers.push_back(makeBoundaryLayersLayer());
     layers.push_back(makeGuidesLayer());
+    layers.push_back(makeLinksLayer());
     layers.push_back(makeSketchLayer());
     layers.push_back(makeMarksLayer());
     layers.push_back(makeLabelsLayer());

@@ -5,6 +5,7 @@
 #include "core/drawing/names/region_commands.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "ui/panels/form.hpp"
+#include "ui/panels/part_rows.hpp"
 #include "ui/panels/size_rows.hpp"
 #include "ui/panels/source_growth.hpp"
 #include "ui/parts/shell.hpp"
@@ -130,6 +131,7 @@ void inspectRegion(Shell &context, std::uint32_t index) {
     }
     ui::rowTooltip(context, "Maximum area of an element in this region");
     regionSizeRow(context, index);
+    mappedRow(context, marker.tag);
     if (ui::button(context, "inspector/delete", "Delete")) {
         context.actions.run("edit.delete", context);
     }

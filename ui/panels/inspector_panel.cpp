@@ -11,6 +11,7 @@
 #include "ui/panels/form.hpp"
 #include "ui/panels/geometry_rows.hpp"
 #include "ui/panels/inspector_marks.hpp"
+#include "ui/panels/part_rows.hpp"
 #include "ui/panels/size_rows.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/enum_choice.hpp"
@@ -106,6 +107,14 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
         changeTag(context, part, static_cast<std::int32_t>(*wanted));
     }
     ui::rowTooltip(context, "The tags differ. Enter a number to give all of them that tag.");
+}
+
+/// Draws what the mesher makes of a part, by the role of its shape.
+void roleRows(Shell &context, const Shape &shape, std::int32_t tag, const BoundaryPart &part) {
+    if (shape.construction) {
+        return;
+    }
+    shape.use == ShapeUse::Boundary ? boundaryRows(context, tag, part) : crackRow(context, tag, part);
 }
 
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
@@ -237,6 +246,9 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     elementCountRow(context, std::set{shape.id});
     if (shape.segmentTags.empty()) {
         partSizeRow(context, shape.tag);
+        if (taggedSegments(shape) > 0) {
+            roleRows(context, shape, shape.tag, {.shapes = {shape.id}, .segments = {}});
+        }
     }
     extentRows(context, shape);
     useRow(context, {shape.id}, shape.use);
@@ -284,6 +296,7 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     segmentSizeRow(context, {ref});
     elementCountRow(context, std::set{ref});
     partSizeRow(context, segmentTag(*shape, ref.segment));
+    roleRows(context, *shape, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
     if (isRound(*shape) || ref.segment >= taggedSegments(*shape)) {
         return;
     }

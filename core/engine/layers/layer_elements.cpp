@@ -237,6 +237,7 @@ class LayerElements {
                 fans = ray.fan == kNoIndex ? fans : std::max(fans, ray.fan + 1);
                 report.fewest = std::min(report.fewest, ray.count);
                 report.most = std::max(report.most, ray.count);
+                report.lines.push_back({ray.base, placeOn(ray, ray.count, heights_), ray.count});
                 if (ray.count < ray.asked) {
                     const WallEdge &edge = chain.columns[std::min(i, chain.columns.size() - 1)];
                     report.shortened.push_back({ray.base, placeOn(ray, ray.count, heights_),

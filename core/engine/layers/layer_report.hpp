@@ -41,6 +41,13 @@ struct ShortenedRay {
     std::int32_t stoppedBy = 0; ///< tag of the boundary part, or of the point, that stopped it or a ray beside it
 };
 
+/// A ray from a wall and the number of its layers.
+struct LayerLine {
+    Vec2 base; ///< its node on the wall
+    Vec2 end;  ///< the top of its layers
+    std::uint32_t layers = 0;
+};
+
 /// What became of the boundary layers of a mesh.
 struct LayerReport {
     std::size_t quadrilaterals = 0;
@@ -50,6 +57,7 @@ struct LayerReport {
     std::uint32_t fewest = 0;            ///< layers of a ray
     std::uint32_t most = 0;              ///< layers of a ray
     std::vector<ShortenedRay> shortened; ///< along the walls
+    std::vector<LayerLine> lines;        ///< of all rays, along the walls
 };
 
 /// Returns a note for each pair of a wall and a part that stopped its layers, with the number of rays and their first

@@ -33,6 +33,11 @@ struct PreparedJob {
 
     /// Returns the boundary that the front starts from: what the layers leave free, or `boundary` without layers.
     const std::shared_ptr<const DiscreteDomain> &frontBoundary() const { return layers ? layers->outer : boundary; }
+    /// Returns what became of the boundary layers; null: there are none.
+    std::shared_ptr<const LayerReport> layerReport() const {
+        return layers && layers->report.rays > 0 ? std::shared_ptr<const LayerReport>(layers, &layers->report)
+                                                 : nullptr;
+    }
 };
 
 /// Validates the domain, builds the spacing, discretises the boundary and builds the boundary layers. If the estimated

@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/improve/improve_step.hpp"
+#include "core/engine/layers/layer_report.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesh/triangulated.hpp"
@@ -130,6 +131,7 @@ struct SessionSnapshot {
     MeshQuality quality;                                ///< of the mesh shown
     std::shared_ptr<const SecondOrderReport> order;     ///< of the mesh shown; null: of first order, or not finished
     std::shared_ptr<const LeastAngleReport> leastAngle; ///< likewise; null: none was asked for
+    std::shared_ptr<const LayerReport> layers;          ///< of the boundary layers of the job; null: none
     double requestedElements = 0.0;                     ///< estimate for the spacing of the job; see prepare()
     double coarsening = 1.0; ///< > 1: the mesh shown is a preview with this many times the spacing of the job
     std::size_t frontSegments = 0;

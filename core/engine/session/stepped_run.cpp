@@ -152,6 +152,7 @@ void SteppedRun::fillStep(SessionSnapshot &snapshot, bool withMesh, bool resting
 void SteppedRun::fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting) {
     snapshot.boundary = prepared_.boundary;
     snapshot.spacing = prepared_.spacing;
+    snapshot.layers = prepared_.layerReport();
     snapshot.requestedElements = prepared_.requestedElements;
     snapshot.coarsening = prepared_.coarsening;
     snapshot.secondsImprove = secondsImprove_;

@@ -36,6 +36,7 @@ Result<WholeRun> WholeRun::make(const MeshingJob &job, PreparedJob prepared, std
 void WholeRun::fill(SessionSnapshot &snapshot, SnapshotLayers layers) const {
     snapshot.boundary = prepared_.boundary;
     snapshot.spacing = prepared_.spacing;
+    snapshot.layers = prepared_.layerReport();
     snapshot.requestedElements = prepared_.requestedElements;
     snapshot.coarsening = prepared_.coarsening;
     snapshot.stepped = false;

@@ -11,10 +11,10 @@ using Names = std::span<const std::string_view>;
 
 constexpr int kStepRows = 10;
 
-constexpr std::string_view kLayers[] = {"picture", "domain",     "size",        "lattice",    "quality",
-                                        "mesh",    "regions",    "grid",        "boundary",   "front",
-                                        "tests",   "candidates", "improvement", "guides",     "sketch",
-                                        "marks",   "labels",     "numbers",     "dimensions", "faults"};
+constexpr std::string_view kLayers[] = {"picture",     "domain",  "size",       "lattice", "quality", "mesh",
+                                        "regions",     "grid",    "boundary",   "front",   "tests",   "candidates",
+                                        "improvement", "rays",    "guides",     "links",   "sketch",  "marks",
+                                        "labels",      "numbers", "dimensions", "faults"};
 constexpr std::string_view kPanels[] = {"shapes",    "inspector", "names",      "parameters", "spacing",
                                         "meshing",   "steps",     "candidates", "rules",      "statistics",
                                         "histogram", "probe",     "checks",     "adapt",      "layers",

@@ -14,22 +14,22 @@ constexpr std::array<Ids, 2> kDrawFolded{"nodes", "names"};
 constexpr std::array<Ids, 15> kDrawTools{"select",  "polygon", "polyline", "rectangle", "circle",
                                          "ellipse", "regular", "slot",     "arc",       "point",
                                          "trim",    "region",  "measure",  "picture",   "outline"};
-constexpr std::array<Ids, 11> kDrawLayers{"domain",  "boundary", "faults", "marks",  "mesh",  "lattice",
-                                          "picture", "regions",  "labels", "sketch", "guides"};
+constexpr std::array<Ids, 12> kDrawLayers{"domain",  "boundary", "faults", "marks",  "mesh",   "lattice",
+                                          "picture", "regions",  "labels", "sketch", "guides", "links"};
 
 constexpr std::array<Ids, 3> kSizePanels{"spacing", "parameters", "inspector"};
 constexpr std::array<Ids, 1> kSizeFolded{"parameters"};
 constexpr std::array<Ids, 8> kSizeTools{"select", "source", "gradient", "brush",
                                         "eraser", "region", "measure",  "picture"};
-constexpr std::array<Ids, 9> kSizeLayers{"domain",  "boundary", "faults", "marks", "lattice",
-                                         "picture", "labels",   "mesh",   "size"};
+constexpr std::array<Ids, 11> kSizeLayers{"domain", "boundary", "faults", "marks", "lattice", "picture",
+                                          "labels", "mesh",     "size",   "rays",  "links"};
 
 constexpr std::array<Ids, 3> kMeshPanels{"meshing", "statistics", "names"};
 constexpr std::array<Ids, 1> kMeshFolded{"names"};
 constexpr std::array<Ids, 4> kMeshTools{"select", "region", "probe", "trace"};
 // The front shows how far a run has come.
-constexpr std::array<Ids, 8> kMeshLayers{"domain",  "boundary", "faults", "marks",
-                                         "picture", "regions",  "mesh",   "front"};
+constexpr std::array<Ids, 10> kMeshLayers{"domain",  "boundary", "faults", "marks", "picture",
+                                          "regions", "mesh",     "front",  "rays",  "links"};
 
 constexpr std::array<Ids, 4> kStepPanels{"steps", "candidates", "rules", "statistics"};
 constexpr std::array<Ids, 2> kStepFolded{"rules", "statistics"};

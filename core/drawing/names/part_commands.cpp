@@ -1,0 +1,151 @@
+#include "core/drawing/names/part_commands.hpp"
+
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/references.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+/// A document in which a part of the boundary has one tag.
+struct PartWithTag {
+    Document document;
+    std::int32_t tag = 1;
+};
+
+/// Returns the tag of the first segment of a part; 0: it has none.
+std::int32_t firstTag(const Document &document, const BoundaryPart &part) {
+    for (const std::uint32_t id : part.shapes) {
+        if (const Shape *const shape = findShape(document, id)) {
+            return taggedSegments(*shape) > 0 ? segmentTag(*shape, 0) : shape->tag;
+        }
+    }
+    for (const SegmentRef &segment : part.segments) {
+        if (const Shape *const shape = findShape(document, segment.shape)) {
+            return segmentTag(*shape, segment.segment);
+        }
+    }
+    return 0;
+}
+
+/// Gives a part a tag of its own unless its tag has a name, which means all that has it.
+Result<PartWithTag> withTag(const Document &document, const BoundaryPart &part) {
+    const std::int32_t before = firstTag(document, part);
+    if (before != 0 && document.boundaryNames.contains(before)) {
+        return PartWithTag{document, before};
+    }
+    Result<Document> next = nameBoundaryPart(document, part, {});
+    if (!next) {
+        return next.faults();
+    }
+    const std::int32_t tag = firstTag(*next, part);
+    return PartWithTag{*std::move(next), tag};
+}
+
+} // namespace
+
+Result<Document> setLayers(const Document &document, const BoundaryPart &part, std::optional<LayerSpec> spec) {
+    Result<PartWithTag> owned =
+        spec ? withTag(document, part) : Result<PartWithTag>(PartWithTag{document, firstTag(document, part)});
+    if (!owned) {
+        return owned.faults();
+    }
+    Document next = std::move(owned->document);
+    const std::int32_t tag = owned->tag;
+    if (spec) {
+        spec->tag = tag;
+        if (const auto fault = layerFault(*spec, boundaryName(next.boundaryNames, tag))) {
+            return Diagnostics{*fault};
+        }
+    }
+    const auto found =
+        std::find_if(next.layers.begin(), next.layers.end(), [tag](const LayerSpec &own) { return own.tag == tag; });
+    if (found == next.layers.end() && spec) {
+        next.layers.push_back(*spec);
+    } else if (found != next.layers.end() && spec) {
+        *found = *spec;
+    } else if (found != next.layers.end()) {
+        next.layers.erase(found);
+    }
+    return next;
+}
+
+Result<Document> setCrack(const Document &document, const BoundaryPart &part, bool cracks) {
+    if (!cracks) {
+        Document next = document;
+        std::erase(next.cracks, firstTag(document, part));
+        return next;
+    }
+    Result<PartWithTag> owned = withTag(document, part);
+    if (!owned) {
+        return owned.faults();
+    }
+    Document next = std::move(owned->document);
+    if (!isCrack(next, owned->tag)) {
+        next.cracks.push_back(owned->tag);
+    }
+    return next;
+}
+
+Result<Document> setPeriodic(const Document &document, const BoundaryPart &part, std::optional<std::int32_t> partner) {
+    const auto untie = [](Document &next, std::int32_t tag) {
+        std::erase_if(next.periodic, [tag](const PeriodicSpec &spec) { return spec.from == tag || spec.to == tag; });
+    };
+    if (!partner) {
+        Document next = document;
+        untie(next, firstTag(document, part));
+        return next;
+    }
+    Result<PartWithTag> owned = withTag(document, part);
+    if (!owned) {
+        return owned.faults();
+    }
+    if (owned->tag == *partner) {
+        return error("not-possible", "a part cannot be periodic with itself", "choose another part");
+    }
+    Document next = std::move(owned->document);
+    untie(next, owned->tag);
+    untie(next, *partner);
+    next.periodic.push_back({owned->tag, *partner});
+    return next;
+}
+
+Document setMapped(const Document &document, std::int32_t region, bool mapped) {
+    Document next = document;
+    if (!mapped) {
+        std::erase_if(next.mapped, [region](const MappedSpec &spec) { return spec.region == region; });
+    } else if (!isMapped(next, region)) {
+        next.mapped.push_back({region, {}});
+    }
+    return next;
+}
+
+const LayerSpec *layersOf(const Document &document, std::int32_t tag) {
+    const auto found = std::find_if(document.layers.begin(), document.layers.end(),
+                                    [tag](const LayerSpec &spec) { return spec.tag == tag; });
+    return found == document.layers.end() ? nullptr : &*found;
+}
+
+std::optional<std::int32_t> periodicPartner(const Document &document, std::int32_t tag) {
+    for (const PeriodicSpec &spec : document.periodic) {
+        if (spec.from == tag || spec.to == tag) {
+            return spec.from == tag ? spec.to : spec.from;
+        }
+    }
+    return std::nullopt;
+}
+
+bool isCrack(const Document &document, std::int32_t tag) {
+    return std::find(document.cracks.begin(), document.cracks.end(), tag) != document.cracks.end();
+}
+
+bool isMapped(const Document &document, std::int32_t region) {
+    return std::any_of(document.mapped.begin(), document.mapped.end(),
+                       [region](const MappedSpec &spec) { return spec.region == region; });
+}
+
+} // namespace forefront

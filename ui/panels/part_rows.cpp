@@ -1,0 +1,167 @@
+#include "ui/panels/part_rows.hpp"
+
+#include "core/drawing/names/part_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "ui/panels/form.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/enum_choice.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/number_field.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+void applyLayers(Shell &context, const BoundaryPart &part, const LayerSpec &spec) {
+    context.applyCommand(setLayers(*context.document.current(), part, spec), "Change boundary layers");
+}
+
+/// Draws the number and the height of all layers, of which one at most is given.
+void extentRow(Shell &context, const BoundaryPart &part, LayerSpec spec) {
+    form::label(context, "Count, height");
+    std::optional<double> count = spec.count ? std::optional<double>(*spec.count) : std::nullopt;
+    const char *const hint = spec.thickness ? "" : "as needed";
+    const bool counted = form::optionalField(context, "inspector/layers/count", count, hint, form::halfWidth(context));
+    ui::rowTooltip(context, "Number of layers, or the height of all of them. Leave both empty for layers until their "
+                            "elements are as high as they are long.");
+    ImGui::SameLine(0, context.px(6));
+    const bool heightened =
+        form::optionalField(context, "inspector/layers/thickness", spec.thickness, spec.count ? "" : "as needed");
+    if (counted && count && !(*count >= 1.0 && *count <= kMaxLayers && *count == std::floor(*count))) {
+        const std::string fault = "expected a whole number from 1 to " + std::to_string(kMaxLayers);
+        ui::refuseEntry(context, "inspector/layers/count",
+                        error("bad-number", fault + ", got " + ui::number(*count, 6)), fault);
+    } else if (counted) {
+        spec.count = count ? std::optional(static_cast<std::uint32_t>(*count)) : std::nullopt;
+        spec.thickness = count ? std::nullopt : spec.thickness;
+        applyLayers(context, part, spec);
+    } else if (heightened) {
+        spec.count = spec.thickness ? std::nullopt : spec.count;
+        applyLayers(context, part, spec);
+    }
+}
+
+void layerRows(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+    const Document &document = *context.document.current();
+    const LayerSpec *const given = layersOf(document, tag);
+    LayerSpec spec = given != nullptr ? *given : LayerSpec();
+    std::optional<double> first = given != nullptr ? std::optional(spec.first) : std::nullopt;
+    form::label(context, "Layers, growth");
+    const bool entered =
+        form::optionalField(context, "inspector/layers/first", first, "none", form::halfWidth(context));
+    ui::rowTooltip(context, "Boundary layers: the height of the first row of thin elements along the part, and how "
+                            "many times as high each next row is. Leave empty for none.");
+    ImGui::SameLine(0, context.px(6));
+    ImGui::BeginDisabled(given == nullptr); // growth has no meaning without layers
+    const bool grown = ui::inputNumber(context, "inspector/layers/growth", spec.growth, -1.0F);
+    ImGui::EndDisabled();
+    if (entered && first) {
+        spec.first = *first;
+        applyLayers(context, part, spec);
+        return;
+    }
+    if (entered && given != nullptr) {
+        context.applyCommand(setLayers(document, part, std::nullopt), "Remove boundary layers");
+        return;
+    }
+    if (given == nullptr) {
+        return;
+    }
+    if (grown) {
+        applyLayers(context, part, spec);
+        return;
+    }
+    extentRow(context, part, spec);
+    form::label(context, "Layers of");
+    if (ui::segmented(context, "inspector/layers/cells", spec.cells)) {
+        applyLayers(context, part, spec);
+    }
+}
+
+/// Returns the tags of boundary parts other than one, ascending.
+std::vector<std::int32_t> otherParts(const Document &document, std::int32_t tag) {
+    std::set<std::int32_t> tags;
+    for (const auto &shape : document.shapes) {
+        if (shape->use != ShapeUse::Boundary || shape->construction) {
+            continue;
+        }
+        for (std::uint32_t k = 0; k < taggedSegments(*shape); ++k) {
+            tags.insert(segmentTag(*shape, k));
+        }
+    }
+    tags.erase(tag);
+    return {tags.begin(), tags.end()};
+}
+
+void periodicRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+    const Document &document = *context.document.current();
+    const std::vector<std::int32_t> others = otherParts(document, tag);
+    const std::optional<std::int32_t> partner = periodicPartner(document, tag);
+    if (others.empty() && !partner) {
+        return;
+    }
+    std::vector<std::string> names{"no other part"};
+    int choice = 0;
+    for (const std::int32_t other : others) {
+        if (partner == other) {
+            choice = static_cast<int>(names.size());
+        }
+        names.push_back(boundaryName(document.boundaryNames, other));
+    }
+    form::label(context, "Periodic with");
+    const bool changed = ui::combo(context, "inspector/periodic", names, choice);
+    ui::rowTooltip(context, "Both parts are divided alike: one is the other, moved or turned, and each node of one has "
+                            "a partner on the other.");
+    if (changed) {
+        const std::optional<std::int32_t> wanted =
+            choice > 0 ? std::optional(others[static_cast<std::size_t>(choice) - 1]) : std::nullopt;
+        context.applyCommand(setPeriodic(document, part, wanted), "Change periodic part");
+    }
+}
+
+} // namespace
+
+void boundaryRows(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+    const Document &document = *context.document.current();
+    const bool sizes = context.settings.workspace == WorkspaceKind::Size;
+    if (sizes || layersOf(document, tag) != nullptr) {
+        layerRows(context, tag, part);
+    }
+    if (sizes || periodicPartner(document, tag)) {
+        periodicRow(context, tag, part);
+    }
+}
+
+void crackRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+    bool cracks = isCrack(*context.document.current(), tag);
+    form::label(context, "Crack");
+    if (ui::checkbox(context, "inspector/crack", "Two sides", cracks)) {
+        context.applyCommand(setCrack(*context.document.current(), part, cracks),
+                             cracks ? "Make crack" : "Close crack");
+    }
+    ui::rowTooltip(context, "The mesh is open along the line: each side has nodes of its own, except where the line "
+                            "ends inside the domain.");
+}
+
+void mappedRow(Shell &context, std::int32_t region) {
+    bool mapped = isMapped(*context.document.current(), region);
+    form::label(context, "Mapped");
+    if (ui::checkbox(context, "inspector/mapped", "Rows of elements", mapped)) {
+        context.applyCommand(setMapped(*context.document.current(), region, mapped),
+                             mapped ? "Map region" : "Do not map region");
+    }
+    ui::rowTooltip(context, "Fill each face of the region by rows between opposite sides, which get equal numbers of "
+                            "elements. The face needs three or four corners.");
+}
+
+} // namespace forefront
