@@ -107,6 +107,7 @@ void SelectTool::updateMove(Shell &context) {
         query.filter = alone_ ? aloneTargets_ : targets_;
     }
     if (grabbed_.kind == Hit::Kind::Control) {
+        query.gridPitch = 0.0; // it is no point of the drawing
         const Shape *const shape = findShape(*start_, grabbed_.shape);
         const std::size_t end = grabbed_.control.segment + (grabbed_.control.atEnd ? 1U : 0U);
         query.anchor = shape->nodes[end % shape->nodes.size()];
