@@ -3,8 +3,11 @@
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/canvas/canvas_painter.hpp"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
 
 namespace forefront::test {
 
@@ -79,6 +82,26 @@ TEST_CASE("Brush: Ctrl+click picks the size under the pointer, Shift+click paint
     driver.settle();
     CHECK(spacingAt({5, 2}) > 0.1);
     CHECK(spacingAt({2, 2}) == doctest::Approx(0.05).epsilon(0.1));
+}
+
+TEST_CASE("Brush: until the first stroke its label says that the size is taken from under the pointer") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('B');
+    driver.settle();
+    driver.moveToPlace({5, 5});
+    driver.frames(3);
+    const auto saysSo = [&] {
+        const auto &labels = driver.editor().canvas().labels();
+        return std::any_of(labels.begin(), labels.end(),
+                           [](const auto &label) { return label.text.ends_with(", 0.4 of the size here"); });
+    };
+    CHECK(saysSo());
+    driver.dragPlaces({5, 5}, {6, 5});
+    driver.settle();
+    driver.moveToPlace({3, 3});
+    driver.frames(3);
+    CHECK_FALSE(saysSo());
 }
 
 TEST_CASE("Sources: placed by click and by drag, named, and the inspector says which one sets the spacing") {
