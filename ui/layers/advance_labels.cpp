@@ -88,9 +88,8 @@ AdvanceMarks marksAround(const LayerFrame &frame, const Moment &moment, Vec2 at)
 /// Returns how much a rectangle covers: a point counts as two lines.
 double covered(const AdvanceMarks &marks, const PixelRect &rect, double rim) {
     const PixelRect wide{rect.x - rim, rect.y - rim, rect.width + 2.0 * rim, rect.height + 2.0 * rim};
-    const auto lines = std::count_if(marks.lines.begin(), marks.lines.end(), [&](const PixelLine &line) {
-        return meets(rect, line.first, line.second);
-    });
+    const auto lines = std::count_if(marks.lines.begin(), marks.lines.end(),
+                                     [&](const PixelLine &line) { return meets(rect, line.first, line.second); });
     const auto points =
         std::count_if(marks.points.begin(), marks.points.end(), [&](Pixel p) { return wide.contains(p); });
     return static_cast<double>(lines) + 2.0 * static_cast<double>(points);
@@ -119,8 +118,7 @@ void labelOfAdvance(CanvasPainter &painter, const LayerFrame &frame, const Momen
             const int turn = k % 2 == 0 ? k / 2 : -(k + 1) / 2; // to both sides by turns
             const double angle = ahead + 2.0 * std::numbers::pi * turn / kDirections;
             const Pixel ray{std::cos(angle), std::sin(angle)};
-            const Pixel offset =
-                (rim + std::abs(ray.x) * half.x + std::abs(ray.y) * half.y) * ray - shift;
+            const Pixel offset = (rim + std::abs(ray.x) * half.x + std::abs(ray.y) * half.y) * ray - shift;
             const double cost = covered(marks, painter.labelRect(at, offset, text, font), kPointRim * frame.scale) +
                                 0.04 * std::abs(turn) + 0.02 * (rim - kRims[0]);
             if (cost < best && painter.freeOffset(at, std::span(&offset, 1), text, font)) {
