@@ -12,7 +12,7 @@
 namespace forefront::test {
 
 /// A driver that works in drawing coordinates. Starts with an empty drawing, with about 10 x 10 units in view.
-/// Relations are not sought, so that nodes are where they are clicked.
+/// Relations are not sought and the grid has steps of a tenth, so that nodes are where they are clicked.
 class Draughtsman : public Driver {
   public:
     explicit Draughtsman(EditorSetup setup = {}, PixelSize size = {1280, 800})
@@ -20,6 +20,7 @@ class Draughtsman : public Driver {
         key('N', {Modifiers::kControl});
         settle();
         context().snapping.infers = false;
+        context().snapping.gridStep = 0.1;
     }
 
     Pixel pixel(Vec2 place) { return context().view.camera.toPixel(place); }

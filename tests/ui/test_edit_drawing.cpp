@@ -90,7 +90,7 @@ TEST_CASE("Numeric entry: typed distances, angles, coordinates and pairs place n
     driver.key('Y');
     driver.type("2");
     driver.key(key::kEnter); // both are known, so the node is placed
-    driver.moveToPlace({6, 2.05});
+    driver.moveToPlace({6, 2.03});
     driver.type("4.5");
     driver.key(key::kEnter); // in the direction of the pointer, which snaps to (6, 2)
     driver.key('D');

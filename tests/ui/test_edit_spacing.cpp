@@ -3,8 +3,11 @@
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/canvas/canvas_painter.hpp"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
 
 namespace forefront::test {
 
@@ -81,6 +84,26 @@ TEST_CASE("Brush: Ctrl+click picks the size under the pointer, Shift+click paint
     CHECK(spacingAt({2, 2}) == doctest::Approx(0.05).epsilon(0.1));
 }
 
+TEST_CASE("Brush: until the first stroke its label says that the size is taken from under the pointer") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('B');
+    driver.settle();
+    driver.moveToPlace({5, 5});
+    driver.frames(3);
+    const auto saysSo = [&] {
+        const auto &labels = driver.editor().canvas().labels();
+        return std::any_of(labels.begin(), labels.end(),
+                           [](const auto &label) { return label.text.ends_with(", 0.4 of the size here"); });
+    };
+    CHECK(saysSo());
+    driver.dragPlaces({5, 5}, {6, 5});
+    driver.settle();
+    driver.moveToPlace({3, 3});
+    driver.frames(3);
+    CHECK_FALSE(saysSo());
+}
+
 TEST_CASE("Sources: placed by click and by drag, named, and the inspector says which one sets the spacing") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -97,8 +120,8 @@ TEST_CASE("Sources: placed by click and by drag, named, and the inspector says w
     CHECK(sample.describe.find("disc 2") != std::string::npos);
     // Drag the rim of the disc with the select tool.
     driver.key('V');
-    driver.dragPlaces({6, 6}, {6, 6.5});
-    CHECK(driver.document().spacing.sources[1].radius == doctest::Approx(1.5));
+    driver.dragPlaces({6, 6}, {6, 6.6});
+    CHECK(driver.document().spacing.sources[1].radius == doctest::Approx(1.6));
     CHECK(driver.undoLabel() == "Resize source");
 }
 
@@ -240,6 +263,7 @@ TEST_CASE("Sources: a box is drawn by a drag or with typed sizes, resized by its
 
 TEST_CASE("Sources: a first source refines automatic spacing near it, and the panel can let it replace the spacing") {
     Draughtsman driver;
+    driver.context().snapping.toGrid = false;
     driver.polygon({{1, 1}, {9, 1}, {9, 8}, {5.05, 8}, {5.05, 2}, {5, 2}, {5, 8}, {1, 8}}); // with a narrow slit
     driver.settle();
     const Vec2 besideSlit{5.2, 5}, far{8, 7}, near{2, 3};

@@ -1,6 +1,7 @@
 #include "core/engine/boundary/discretise.hpp"
 #include "core/teaching/moment/moment.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/canvas/canvas_painter.hpp"
 #include "ui/workspace/view/chosen_candidate.hpp"
 #include "ui/workspace/view/follow_camera.hpp"
 
@@ -120,6 +121,61 @@ TEST_CASE("Follow: the camera moves smoothly and stays still while the advance i
     view.camera = rest;
     CHECK(camera.follow(view, {boxAround(first.centre(), 0.05), 0.02}, 1.0 / 60.0, 1.0)); // too small to see
     CHECK(view.camera.zoom > rest.zoom);
+}
+
+TEST_CASE("Step: the labels of A, B and C cover no segment of the front and no other label") {
+    Stepping driver;
+    driver.key('T');
+    driver.settle();
+    int seen = 0;
+    for (int step = 0; step < 10; ++step) {
+        const std::vector<CanvasPainter::Placed> labels = driver.editor().canvas().labels();
+        for (std::size_t k = 0; k < labels.size(); ++k) {
+            const std::string &text = labels[k].text;
+            if (!text.starts_with("A ") && !text.starts_with("B ") && text != "C") {
+                continue;
+            }
+            CAPTURE(step);
+            CAPTURE(text);
+            ++seen;
+            for (const FrontSegmentView &segment : *driver.run().front) {
+                const Camera &camera = driver.context().view.camera;
+                CHECK_FALSE(meets(labels[k].rect, camera.toPixel(segment.a), camera.toPixel(segment.b)));
+            }
+            for (std::size_t other = 0; other < labels.size(); ++other) {
+                CHECK((other == k || !labels[k].rect.overlaps(labels[other].rect)));
+            }
+        }
+        driver.key(key::kPeriod);
+        driver.settle();
+    }
+    CHECK(seen >= 25);
+}
+
+TEST_CASE("Step: a step beyond the end or the start of the run says so, and a held key says it once") {
+    Stepping driver;
+    const auto said = [&](const std::string &words) {
+        const auto &entries = driver.context().log.entries();
+        return std::count_if(entries.begin(), entries.end(),
+                             [&](const auto &entry) { return entry.diagnostic.message == words; });
+    };
+    driver.key(key::kEnd);
+    driver.settle();
+    CHECK(said("End of the run") == 0);
+    for (int k = 0; k < 3; ++k) {
+        driver.key(key::kPeriod);
+        driver.settle();
+    }
+    CHECK(driver.run().atEnd());
+    CHECK(said("End of the run") == 1);
+    driver.key(key::kHome);
+    driver.settle();
+    driver.key(key::kComma);
+    driver.settle();
+    CHECK(said("Start of the run") == 1);
+    driver.key(key::kPeriod);
+    driver.settle();
+    CHECK(driver.run().position() == 1);
 }
 
 TEST_CASE("Breakpoints: the popup sets them, N runs to the next, Shift+N back to the previous, and the caption says "

@@ -66,7 +66,7 @@ TEST_CASE("Preferences: the steps of the grid and of angles") {
         const Vec2 arm = nodes[1] - nodes[0];
         CHECK(std::atan2(arm.y, arm.x) * 180.0 / std::acos(-1.0) == doctest::Approx(10.0));
     }
-    Draughtsman again(setup);
+    Driver again(setup);
     CHECK(again.context().snapping.gridStep == 0.4);
     CHECK(again.context().snapping.angleStep == 10.0);
 }

@@ -116,7 +116,7 @@ TEST_CASE("Snapping: grid, angles and locks are named at the pointer") {
     driver.type("5");
     driver.moveToPlace({6.32, 7.29});
     driver.frames(3);
-    CHECK(says(driver, "x locked"));
+    CHECK(says(driver, "x locked, grid"));
     CHECK(driver.document().shapes[0]->nodes[1].x == 5.0);
     driver.key(key::kEscape);
     driver.key(key::kEscape);
@@ -130,6 +130,18 @@ TEST_CASE("Snapping: grid, angles and locks are named at the pointer") {
     driver.frames(3);
     CHECK(says(driver, "angle 345\xc2\xb0"));
     driver.editor().input().push({.kind = InputKind::Key, .code = key::kLeftShift, .pressed = false});
+}
+
+TEST_CASE("Snapping: a shape dragged by a side keeps its nodes on the grid") {
+    Draughtsman driver;
+    driver.context().snapping.gridStep = 0.5;
+    driver.rectangle({1, 1}, {3, 3});
+    driver.key('V');
+    driver.dragPlaces({2.37, 1}, {5.02, 4.31});
+    REQUIRE(driver.document().shapes.size() == 1);
+    const Box2 box = boundsOf(*driver.document().shapes[0]);
+    CHECK(distance(box.min, {3.5, 4.5}) < 1e-12);
+    CHECK(distance(box.max, {5.5, 6.5}) < 1e-12);
 }
 
 // Not a test; prints figures: forefront_ui_tests --no-skip -tc='Bench*'

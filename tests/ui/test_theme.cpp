@@ -42,12 +42,14 @@ TEST_CASE("Theme: text, edges of fields and marks contrast with all surfaces the
             raised{"raised", t.raised}, hovered{"hovered", t.hovered}, pressed{"pressed", t.pressed},
             canvas{"canvas", t.canvas}, domain{"domain", t.domain}, element{"element", t.element},
             selected{"selectedRow", t.selectedRow}, field{"hovered field", mix(t.inset, t.raised, 0.5)},
-            marked{"selected text", mix(t.inset, t.accent, 0.35)}, plate{"plate", over(fade(t.popup, 0.82), t.domain)},
+            marked{"selected text", mix(t.inset, t.accent, 0.35)}, plate{"plate", over(labelPlate(t), t.domain)},
+            crossed{"plate over a line", over(labelPlate(t), kind == ThemeKind::Dark ? t.text : t.boundary)},
             pill{"pill", over(fade(t.accent, 0.35), t.panel)};
         const Role text{"text", t.text}, muted{"muted", t.muted}, accent{"accent", t.accent}, good{"good", t.good},
             bad{"bad", t.bad}, warn{"warn", t.warn}, accepted{"accepted", t.accepted};
         checkContrast({text}, {panel, inset, popup, raised, hovered, selected, field, marked, plate, canvas, domain},
                       7.0);
+        checkContrast({text, muted}, {crossed}, 4.5);
         checkContrast({text}, {pressed, pill}, 4.5); // what is on, held down or shown alone
         checkContrast({muted}, {panel, inset, popup, raised, hovered, selected, field, plate, canvas, domain}, 4.5);
         checkContrast({{"placeholder", t.placeholder}}, {panel, inset, popup, field}, 4.5);

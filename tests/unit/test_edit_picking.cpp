@@ -210,18 +210,64 @@ TEST_CASE("snap: nodes take precedence over segments, and segments over the grid
     CHECK(snap(index, query).at == Vec2{4, 0});
     query.at = {2.55, 0.1};
     CHECK(snap(index, query).kind == SnapKind::Segment);
-    CHECK(snap(index, query).at == Vec2{2.55, 0});
+    CHECK(snap(index, query).at == Vec2{3, 0}); // on the segment and on the grid
     query.at = {2.1, 2.9};
     CHECK(snap(index, query).kind == SnapKind::Grid);
     CHECK(snap(index, query).at == Vec2{2, 3});
-    query.at = {2.5, 2.5};
+    query.at = {2.6, 2.4};
+    CHECK(snap(index, query).kind == SnapKind::Grid); // anywhere, not only near its points
+    CHECK(snap(index, query).at == Vec2{3, 2});
+    query.gridPitch = 0.0;
     CHECK(snap(index, query).kind == SnapKind::None);
+    query.gridPitch = 1.0;
     query.at = {4.1, 0.1};
     query.off = true;
     CHECK(snap(index, query).at == query.at);
     query.off = false;
     query.filter = [](const Shape &) { return false; };
     CHECK(snap(index, query).kind == SnapKind::Grid);
+}
+
+TEST_CASE("snap: what slides along a segment or a guide takes its other coordinate from the grid") {
+    Document document = documentOf({makeShape(ShapeKind::Polyline, {{0.3, 0.25}, {3.8, 0.25}}),
+                                    makeShape(ShapeKind::Polyline, {{6, 1}, {9, 3.1}})});
+    document.guides = {{true, 4.6}};
+    const PickIndex index(std::make_shared<const Document>(document));
+    SnapQuery query;
+    query.tolerance = 0.2;
+    query.gridPitch = 1.0;
+    query.at = {1.4, 0.3};
+    CHECK(snap(index, query).at == Vec2{1, 0.25});
+    query.at = {3.55, 0.3}; // the line of the grid is beyond the end
+    CHECK(snap(index, query).at == Vec2{3.55, 0.25});
+    query.at = {7.1, 1.8}; // slanted: the nearest point
+    const Snapped slanted = snap(index, query);
+    CHECK(slanted.kind == SnapKind::Segment);
+    CHECK(slanted.at == slanted.segment->at);
+    query.gridPitch = 0.1;
+    query.at = {-20.72, 30.31};
+    CHECK(snap(index, query).at == Vec2{-20.7, 30.3}); // with the digits that a user would type
+    query.gridPitch = 1.0;
+    query.at = {4.5, 5.4};
+    CHECK(snap(index, query).kind == SnapKind::Guide);
+    CHECK(snap(index, query).at == Vec2{4.6, 5});
+}
+
+TEST_CASE("snap: the grid leaves a direction with a typed length alone, and a typed coordinate its other one") {
+    const PickIndex index(sharedDocumentOf({square({20, 20}, 4)}));
+    SnapQuery query;
+    query.tolerance = 0.2;
+    query.gridPitch = 1.0;
+    query.anchor = Vec2{0, 0};
+    query.at = {3.4, 2.55};
+    query.locks.distance = 10.0;
+    CHECK(distance(snap(index, query).at, (10.0 / length(query.at)) * query.at) < 1e-12);
+    CHECK(wordsOf(snap(index, query)) == "length locked");
+    query.locks.isRadius = true;
+    CHECK(wordsOf(snap(index, query)) == "radius locked");
+    query.locks = {};
+    query.locks.x = 3.3;
+    CHECK(snap(index, query).at == Vec2{3.3, 3});
 }
 
 TEST_CASE("snap: midpoints, centres and crossings of all kinds of segments") {

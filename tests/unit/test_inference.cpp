@@ -127,6 +127,15 @@ TEST_CASE("Inference: nodes, segments, guides and the grid come first; Ctrl turn
     CHECK(grid.kind == SnapKind::Grid);
     CHECK(kindsOf(grid) == Kinds{ConstraintKind::Horizontal}); // it holds there, without being sought
     CHECK(wordsOf(grid) == "grid");
+    query.at = {22.6, 20.05}; // along the level line to the grid
+    CHECK(snap(index, query).at == Vec2{23, 20});
+    query.infer->starts = {{20, 20.2}};
+    query.at = {22.9, 20.25}; // the relation is nearer than the grid
+    CHECK(snap(index, query).kind == SnapKind::Inferred);
+    CHECK(snap(index, query).at == Vec2{23, 20.2});
+    query.at = {22.9, 20.07}; // the grid is nearer
+    CHECK(snap(index, query).kind == SnapKind::Grid);
+    CHECK(snap(index, query).at == Vec2{23, 20});
 }
 
 } // namespace forefront::inference_test

@@ -54,6 +54,33 @@ float im(double v) {
 
 } // namespace
 
+void CanvasPainter::beginLevels() {
+    list_.ChannelsSplit(static_cast<int>(Level::Labels) + 1);
+    setLevel(Level::Layers);
+}
+
+void CanvasPainter::setLevel(Level level) {
+    level_ = level;
+    list_.ChannelsSetCurrent(static_cast<int>(level));
+}
+
+void CanvasPainter::endLevels() {
+    list_.ChannelsMerge();
+    level_.reset();
+}
+
+template <class Draw>
+void CanvasPainter::aboveLines(const Draw &draw) {
+    const std::optional<Level> level = level_;
+    if (level) {
+        setLevel(Level::Labels);
+    }
+    draw();
+    if (level) {
+        setLevel(*level);
+    }
+}
+
 void CanvasPainter::line(Vec2 a, Vec2 b, Colour colour, double width) {
     Pixel p = camera_.toPixel(a), q = camera_.toPixel(b);
     if (clipToFar(p, q)) {
@@ -225,9 +252,12 @@ PixelRect CanvasPainter::labelRect(Vec2 at, Pixel offset, std::string_view text,
 void CanvasPainter::drawLabel(const PixelRect &rect, std::string_view text, Colour colour, Colour plate, ImFont *font,
                               bool free) {
     ImFont *used = font != nullptr ? font : ImGui::GetFont();
-    list_.AddRectFilled(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), plate, im(4.0 * scale_));
-    list_.AddText(used, imgui::lineOf(*used), im({rect.x + kLabelPadX * scale_, rect.y + kLabelPadY * scale_}), colour,
-                  text.data(), text.data() + text.size());
+    aboveLines([&] {
+        list_.AddRectFilled(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), plate,
+                            im(4.0 * scale_));
+        list_.AddText(used, imgui::lineOf(*used), im({rect.x + kLabelPadX * scale_, rect.y + kLabelPadY * scale_}),
+                      colour, text.data(), text.data() + text.size());
+    });
     space_.take(rect);
     placed_.push_back({rect, std::string(text), free});
 }
@@ -293,8 +323,10 @@ Pixel CanvasPainter::labelSize(std::string_view text, ImFont *font) const {
 }
 
 void CanvasPainter::frame(const PixelRect &rect, Colour colour) {
-    list_.AddRect(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), colour, im(4.0 * scale_), 0,
-                  im(1.5 * scale_));
+    aboveLines([&] {
+        list_.AddRect(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), colour, im(4.0 * scale_),
+                      0, im(1.5 * scale_));
+    });
 }
 
 namespace {

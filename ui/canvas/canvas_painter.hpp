@@ -5,6 +5,7 @@
 #include "ui/canvas/label_space.hpp"
 #include "ui/style/colour.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,13 @@ struct Outline;
 class CanvasPainter {
   public:
     CanvasPainter(ImDrawList &list, const Camera &camera, double scale) : list_(list), camera_(camera), scale_(scale) {}
+
+    /// What is drawn at a level lies above what is drawn at those before it, whatever comes first.
+    enum class Level : std::uint8_t { Layers, Tool, Labels };
+    /// Begins to draw at levels, with that of the layers; until endLevels(), labels lie above all lines.
+    void beginLevels();
+    void setLevel(Level level);
+    void endLevels();
 
     void line(Vec2 a, Vec2 b, Colour colour, double width = 1.5);
     void dashed(Vec2 a, Vec2 b, Colour colour, double width = 1.5, double dash = 6.0);
@@ -100,11 +108,15 @@ class CanvasPainter {
   private:
     /// Adds the points after the first of a polyline along a curve, fine enough in the view to look smooth.
     void addAlong(const Curve &curve, double width, std::vector<Vec2> &points) const;
+    /// Calls `draw` at the level of labels, if there are levels.
+    template <class Draw>
+    void aboveLines(const Draw &draw);
     void drawLabel(const PixelRect &rect, std::string_view text, Colour colour, Colour plate, ImFont *font, bool free);
 
     ImDrawList &list_;
     const Camera &camera_;
     double scale_;
+    std::optional<Level> level_; ///< empty: what is drawn later lies above
     LabelSpace space_;
     std::vector<Placed> placed_;
 };

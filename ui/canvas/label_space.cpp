@@ -33,6 +33,10 @@ bool clip(const PixelRect &rect, Pixel &a, Pixel &b) {
 
 } // namespace
 
+bool meets(const PixelRect &rect, Pixel a, Pixel b) {
+    return clip(rect, a, b);
+}
+
 void LabelSpace::open(const PixelRect &room, double cell) {
     room_ = room;
     cell_ = cell;

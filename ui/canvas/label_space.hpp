@@ -9,6 +9,9 @@
 
 namespace forefront {
 
+/// Returns true if a part of the line from a to b lies in a rectangle.
+bool meets(const PixelRect &rect, Pixel a, Pixel b);
+
 /// The parts of a canvas that labels must keep clear of, in pixels.
 class LabelSpace {
   public:

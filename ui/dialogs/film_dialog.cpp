@@ -186,15 +186,8 @@ void exportFilm(Shell &context) {
         context.log.refuse("Films show a front of triangles; set Elements to Triangles in the panel Meshing");
         return;
     }
-    FileRequest request;
-    request.id = "film";
-    request.title = "Export film";
-    request.action = "Export";
-    request.saves = true;
+    FileRequest request = film_fields::exportRequest(context, "film", "Export film", ".gif");
     request.filters = filmFilters();
-    const std::filesystem::path &document = context.document.path();
-    request.folder = document.parent_path();
-    request.name = (document.empty() ? context.document.title() : document.stem().string()) + ".gif";
     const auto settings = std::make_shared<FilmSettings>();
     settings->plan.layers.shown[static_cast<std::size_t>(FilmLayer::Grid)] =
         context.layer("grid") != nullptr && context.layer("grid")->visible;
@@ -202,7 +195,7 @@ void exportFilm(Shell &context) {
         return film(c, planFor(*settings, file, filter));
     };
     request.extraLines = 4;
-    settings->plan.title = document.empty() ? context.document.title() : document.stem().string();
+    settings->plan.title = std::filesystem::path(request.name).stem().string();
     request.extra = [settings](Shell &c, const FileFilter &filter) {
         const bool page = std::string_view(filter.id) == "html";
         drawRange(c, *settings, page);

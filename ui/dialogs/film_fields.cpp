@@ -1,11 +1,13 @@
 #include "ui/dialogs/film_fields.hpp"
 
-#include "ui/workspace/workspace.hpp"
+#include "ui/parts/shell.hpp"
 
 #include <imgui.h>
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
+#include <utility>
 
 namespace forefront::film_fields {
 
@@ -14,6 +16,18 @@ void number(Workspace &context, const std::string &field, double &value, double 
     if (ui::inputNumber(context, field, entered, 70.0F) && ui::checkRange(context, field, entered, minimum, maximum)) {
         value = entered;
     }
+}
+
+FileRequest exportRequest(const Shell &context, std::string id, std::string title, const std::string &ending) {
+    const std::filesystem::path &document = context.document.path();
+    FileRequest request;
+    request.id = std::move(id);
+    request.title = std::move(title);
+    request.action = "Export";
+    request.saves = true;
+    request.folder = document.parent_path();
+    request.name = (document.empty() ? context.document.title() : document.stem().string()) + ending;
+    return request;
 }
 
 Box2 canvasBox(const View &view) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/teaching/film/film_scene.hpp"
+#include "ui/dialogs/file_dialog.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 #include "ui/workspace/view/view.hpp"
@@ -23,6 +24,9 @@ void whole(Workspace &context, const std::string &field, Whole &value, double mi
         value = static_cast<Whole>(entered);
     }
 }
+
+/// Returns a request for the name of a new file: beside the document, named after it with `ending`, "-7.svg".
+FileRequest exportRequest(const Shell &context, std::string id, std::string title, const std::string &ending);
 
 /// Returns the part of the plane that the canvas shows clear of plates and legends.
 Box2 canvasBox(const View &view);

@@ -86,19 +86,12 @@ void exportMoment(Shell &context) {
             "to Triangles in the panel Meshing");
         return;
     }
-    FileRequest request;
-    request.id = "moment";
-    request.title = "Export picture of the moment";
-    request.action = "Export";
-    request.saves = true;
+    FileRequest request = film_fields::exportRequest(context, "moment", "Export picture of the moment",
+                                                     "-" + std::to_string(context.run.now().advance) + ".svg");
     request.filters = {
         {"SVG drawing (.svg)", {".svg"}, "svg", "A vector drawing; its labels stay text."},
         {"PDF page (.pdf)", {".pdf"}, "pdf", "A vector drawing on a page of its size; labels stay text."},
         {"PNG picture (.png)", {".png"}, "png", "Pixels."}};
-    const std::filesystem::path &document = context.document.path();
-    request.folder = document.parent_path();
-    request.name = (document.empty() ? context.document.title() : document.stem().string()) + "-" +
-                   std::to_string(context.run.now().advance) + ".svg";
     request.needs = {.mesh = true, .front = true, .cells = true, .explanation = true};
     const auto settings = std::make_shared<MomentSettings>();
     settings->layers = layersOnCanvas(context);

@@ -1,5 +1,6 @@
 #include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/layers/advance_labels.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/view/candidate_text.hpp"
@@ -86,7 +87,7 @@ class CandidatesLayer final : public Layer {
         if (moment.idealKnown) {
             painter.cross(e.ideal, 4.5, theme.base, 1.75);
             if (roomOf(frame, e) > 60.0) {
-                painter.label(e.ideal, {-4, -24}, "C", theme.base, fade(theme.popup, 0.85), frame.fonts.small);
+                labelOfAdvance(painter, frame, moment, e.ideal, e.ideal - midpoint(e.a, e.b), "C");
             }
         }
     }
@@ -113,12 +114,15 @@ class CandidatesLayer final : public Layer {
             drawChosen(painter, frame, moment, *frame.candidate);
             return;
         }
+        for (std::size_t i = 0; words && i < moment.candidates; ++i) {
+            painter.reserve(e.candidates[i].position, 5.0); // no label covers another candidate
+        }
         const std::size_t labelled = words ? std::min(moment.candidates, kMaxRanks) : 0;
         for (std::size_t i = 0; i < labelled; ++i) {
             const CandidateTrace &candidate = e.candidates[i];
             const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
             painter.freeLabel(candidate.position, {11.0, -7.0}, candidateLabel(candidate, i, moment), colour,
-                              fade(theme.popup, 0.92), frame.fonts.small);
+                              labelPlate(theme), frame.fonts.small);
         }
     }
 
@@ -136,7 +140,7 @@ class CandidatesLayer final : public Layer {
             text += ui::format("  \xce\xb1 %.3f \xc2\xb7 \xce\xb4 %.2f \xc2\xb7 \xce\xb4 %.2f = %.3f", c.alpha,
                                c.deltaAC, c.deltaCB, c.score);
         }
-        painter.freeLabel(c.position, {14.0, -7.0}, text, colour, fade(theme.popup, 0.95), frame.fonts.small);
+        painter.freeLabel(c.position, {14.0, -7.0}, text, colour, labelPlate(theme), frame.fonts.small);
     }
 };
 

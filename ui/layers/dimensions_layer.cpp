@@ -177,8 +177,7 @@ class DimensionsLayer final : public Layer {
 
     static bool write(CanvasPainter &painter, const LayerFrame &frame, Vec2 at, std::span<const Pixel> offsets,
                       const std::string &text) {
-        return painter.freeLabel(at, offsets, text, frame.theme.muted, fade(frame.theme.popup, 0.82),
-                                 frame.fonts.small);
+        return painter.freeLabel(at, offsets, text, frame.theme.muted, labelPlate(frame.theme), frame.fonts.small);
     }
 
     /// Returns the direction of a displacement in the plane on the screen.

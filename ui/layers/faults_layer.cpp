@@ -43,7 +43,7 @@ class FaultsLayer final : public Layer {
         if (pointed != nullptr) {
             painter.label(*pointed->at, {16.0, -22.0}, std::string(icon::kWarning) + "  " + pointed->message,
                           pointed->severity == Severity::Error ? frame.theme.bad : frame.theme.warn,
-                          fade(frame.theme.popup, 0.95), frame.fonts.small);
+                          labelPlate(frame.theme), frame.fonts.small);
         }
     }
 };

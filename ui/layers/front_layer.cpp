@@ -3,6 +3,7 @@
 #include "ui/canvas/line_density.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"
+#include "ui/layers/advance_labels.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -63,17 +64,11 @@ class FrontLayer final : public Layer {
             painter.ring(midpoint(e.a, e.b), 13.0, theme.base, 2.0); // too small to find otherwise
         }
         if (pixels > 60.0) {
-            const Colour plate = fade(theme.popup, 0.85);
-            // Place the labels beyond the ends, on the meshed side, clear of all candidates. On the screen y points
-            // down.
-            const Vec2 along = (1.0 / distance(e.a, e.b)) * (e.b - e.a);
+            // Beyond the ends, on the meshed side, which has no candidates.
+            const Vec2 along = e.b - e.a;
             const Vec2 right{along.y, -along.x};
-            const auto screen = [](Vec2 v) { return Pixel(v.x, -v.y); };
-            const Pixel middle{-9.0, -7.0};
-            painter.label(e.a, middle + screen(16.0 * right + -14.0 * along), nodeLabel("A", e.nodeA), theme.base,
-                          plate, frame.fonts.small);
-            painter.label(e.b, middle + screen(16.0 * right + 14.0 * along), nodeLabel("B", e.nodeB), theme.base, plate,
-                          frame.fonts.small);
+            labelOfAdvance(painter, frame, moment, e.a, right - along, nodeLabel("A", e.nodeA));
+            labelOfAdvance(painter, frame, moment, e.b, right + along, nodeLabel("B", e.nodeB));
         }
     }
 

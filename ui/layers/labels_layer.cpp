@@ -135,8 +135,7 @@ class LabelsLayer final : public Layer {
         constexpr double kLargestPart = 0.08; // of the drawing
         const Vec2 drawing = frame.camera.zoom / frame.scale * frame.domain.bounds().size();
         if (4.0 * half.x * half.y > kLargestPart * drawing.x * drawing.y ||
-            !painter.freeLabel(run.at, offsets, name, frame.theme.muted, fade(frame.theme.popup, 0.82),
-                               frame.fonts.small)) {
+            !painter.freeLabel(run.at, offsets, name, frame.theme.muted, labelPlate(frame.theme), frame.fonts.small)) {
             return false;
         }
         painter.leader(run.at, frame.theme.muted);

@@ -151,7 +151,7 @@ class MarksLayer final : public Layer {
 
     /// Writes a text beside a mark: on the usual side, or wherever there is room.
     static void writeBeside(CanvasPainter &painter, const LayerFrame &frame, Vec2 at, const std::string &text) {
-        painter.freeLabel(at, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.82), frame.fonts.small);
+        painter.freeLabel(at, {10.0, -18.0}, text, frame.theme.text, labelPlate(frame.theme), frame.fonts.small);
     }
 
     static void drawNodeSizes(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape, std::size_t &drawn) {
@@ -164,7 +164,7 @@ class MarksLayer final : public Layer {
             painter.ring(handles[node], 6.5, fade(frame.theme.brush, 0.8), 1.25);
             if (drawn++ < kMaxSpacingLabels) {
                 painter.freeLabel(handles[node], {10.0, -18.0}, ui::format("\xcf\x81=%.3g", part.size),
-                                  frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small);
+                                  frame.theme.text, labelPlate(frame.theme), frame.fonts.small);
             }
         }
     }
@@ -189,7 +189,7 @@ class MarksLayer final : public Layer {
                 const SegmentSize &size = own->second;
                 const std::string text = size.elements > 0 ? std::to_string(size.elements) + " elements"
                                                            : ui::format("\xcf\x81=%.3g", size.size);
-                painter.freeLabel(middle, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
+                painter.freeLabel(middle, {10.0, -18.0}, text, frame.theme.text, labelPlate(frame.theme),
                                   frame.fonts.small);
             }
         }
@@ -211,7 +211,7 @@ class MarksLayer final : public Layer {
     static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const MarkedRegion &marker, bool crowded) {
         const double size = crowded ? 0.5 : 1.0;
         // A plate, since the colours below may be those of the marker.
-        painter.dot(marker.at, 8.0 * size, fade(frame.theme.popup, 0.82));
+        painter.dot(marker.at, 8.0 * size, labelPlate(frame.theme));
         painter.dot(marker.at, 3.5 * size, frame.theme.accent);
         if (!crowded) {
             painter.ring(marker.at, kMarkRing, frame.theme.accent, 1.25);
@@ -224,7 +224,7 @@ class MarksLayer final : public Layer {
         const std::string name = regionName(frame.document.regionNames, marker.tag);
         if (painter.freeLabel(
                 marker.at, regionLabelOffsets(painter, frame.preview.faces.get(), marker.at, name, frame.fonts.small),
-                name, frame.theme.text, fade(frame.theme.popup, 0.82), frame.fonts.small)) {
+                name, frame.theme.text, labelPlate(frame.theme), frame.fonts.small)) {
             painter.nameLabel("label/region/" + std::to_string(index));
         }
     }

@@ -184,7 +184,7 @@ class QualityLayer final : public Layer {
                 continue;
             }
             painter.freeLabel(middle, {-12, -7}, ui::format("%.2f", static_cast<double>(frame.snapshot.mesh->alpha[i])),
-                              frame.theme.bad, fade(frame.theme.popup, 0.9), frame.fonts.small);
+                              frame.theme.bad, labelPlate(frame.theme), frame.fonts.small);
             if (++shown >= kMaxAlphaLabels) {
                 break;
             }

@@ -71,7 +71,7 @@ class NumbersLayer final : public Layer {
                 continue;
             }
             painter.dot(mesh.nodes[k], 2.0, frame.theme.muted);
-            painter.freeLabel(mesh.nodes[k], {6, 3}, std::to_string(k), frame.theme.text, fade(frame.theme.popup, 0.82),
+            painter.freeLabel(mesh.nodes[k], {6, 3}, std::to_string(k), frame.theme.text, labelPlate(frame.theme),
                               frame.fonts.small);
         }
     }

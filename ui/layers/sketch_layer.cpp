@@ -117,7 +117,7 @@ class SketchLayer final : public Layer {
             }
             const auto [colour, mark] = stateOf(frame, item);
             const DimensionStyle style{isSelected(frame, item) ? frame.theme.selection : colour,
-                                       fade(frame.theme.popup, 0.9), frame.fonts.small, isSelected(frame, item)};
+                                       labelPlate(frame.theme), frame.fonts.small, isSelected(frame, item)};
             if (drawDimension(painter, *item.figure, item.constraint->label, mark + item.text, style)) {
                 painter.nameLabel(nameOf(item.constraint->id, 0));
             }
@@ -138,8 +138,8 @@ class SketchLayer final : public Layer {
                 const Pixel size = painter.labelSize(text, frame.fonts.small);
                 const std::vector<Pixel> offsets = glyphOffsets(anchor, size, kGlyphGap);
                 if (painter.freeLabel(anchor.at, offsets, text,
-                                      isSelected(frame, item) ? frame.theme.selection : colour,
-                                      fade(frame.theme.popup, 0.82), frame.fonts.small)) {
+                                      isSelected(frame, item) ? frame.theme.selection : colour, labelPlate(frame.theme),
+                                      frame.fonts.small)) {
                     painter.nameLabel(nameOf(item.constraint->id, k));
                     ++drawn;
                 }
@@ -274,7 +274,7 @@ bool SketchLayer::drawLegend(CanvasPainter &painter, const LayerFrame &frame, Pi
     const double left = std::round(corner.x - kLegendWidth * s), top = std::round(corner.y - kLegendHeight * s);
     ImDrawList &list = painter.list();
     const auto round = static_cast<float>(6.0 * s);
-    list.AddRectFilled(at(left, top), at(corner.x, corner.y), fade(frame.theme.popup, 0.92), round);
+    list.AddRectFilled(at(left, top), at(corner.x, corner.y), labelPlate(frame.theme), round);
     list.AddRect(at(left, top), at(corner.x, corner.y), frame.theme.popupBorder, round);
     ImFont *const font = frame.fonts.small;
     const std::string title = !state->violated.empty() ? "Sketch: constraints that do not hold"

@@ -6,7 +6,6 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
-#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/number_field.hpp"
@@ -106,13 +105,15 @@ std::optional<std::size_t> meshedElements(const Shell &context, SegmentRef segme
     return count > 0 ? std::optional(count) : std::nullopt;
 }
 
-/// Writes below the field how many elements the mesh has, if these are more or fewer.
+/// Writes beside the field how many elements the mesh has, if these are more or fewer: a row of its own would come and
+/// go with meshes and move what is below.
 void drawMeshed(Shell &context, SegmentRef segment, double count) {
     const std::optional<std::size_t> meshed = meshedElements(context, segment);
     if (!meshed || static_cast<double>(*meshed) == count) {
         return;
     }
-    ui::small(context, "The mesh has " + ui::count(*meshed) + " here.", true);
+    ImGui::SameLine(0, context.px(6));
+    ui::small(context, "mesh: " + ui::count(*meshed), true);
     ui::mark(context, "inspector/elements/meshed");
     ui::tooltip(context,
                 static_cast<double>(*meshed) > count
@@ -120,14 +121,6 @@ void drawMeshed(Shell &context, SegmentRef segment, double count) {
                       "least three."
                     : "With more elements the boundary would meet itself or other parts, or it is kept as it "
                       "is drawn.");
-}
-
-/// Draws that note, or leaves its line empty, so that what is below stays in place when meshes come and go.
-void drawMeshedRow(Shell &context, SegmentRef segment, double count) {
-    const float top = ImGui::GetCursorPosY();
-    drawMeshed(context, segment, count);
-    const float line = imgui::lineOf(*context.fonts.small) + ImGui::GetStyle().ItemSpacing.y;
-    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + line));
 }
 
 /// Returns the ratio that biases share; none if they differ, or none has one.
@@ -221,11 +214,12 @@ void elementCountRow(Shell &context, const std::set<SegmentRef> &segments) {
     std::optional<double> count = shared.count;
     form::label(context, "Elements");
     // Without a number, the address is one that no number has: the field has no expression yet, but can take one.
-    const bool changed = form::optionalField(context, "inspector/elements", count, shared.hint.c_str(), -1.0F,
+    const bool changed = form::optionalField(context, "inspector/elements", count, shared.hint.c_str(),
+                                             shared.count ? form::halfWidth(context) : -1.0F,
                                              addressOfCount(shared.count ? first : SegmentRef()));
     ui::rowTooltip(context, explanation(segments.size()));
     if (shared.count) {
-        drawMeshedRow(context, first, *shared.count);
+        drawMeshed(context, first, *shared.count);
         if (!changed) {
             biasRow(context, segments);
         }

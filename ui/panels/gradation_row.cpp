@@ -23,13 +23,22 @@ double knobOf(double gradation) {
     return std::clamp(std::log(gradation / kGentlest) / std::log(kSteepest / kGentlest), 0.0, 1.0);
 }
 
-/// Returns the number of elements that the estimate predicts, as in the status bar; empty while it is unknown.
-std::string prediction(const Shell &context) {
-    const double predicted = context.preview->estimatedElements;
-    if (!(predicted >= 1.0)) {
+/// The number of elements that the estimate predicts; empty texts while it is unknown.
+struct Prediction {
+    std::string brief; ///< fits beside the slider: "3 000 △", "130 k △", "1.3 M △"
+    std::string whole; ///< as in the status bar
+};
+
+Prediction predictionOf(double elements) {
+    if (!(elements >= 1.0)) {
         return {};
     }
-    return ui::count(static_cast<std::size_t>(roundedTo(predicted, 2))) + " \xe2\x96\xb3";
+    const double rounded = roundedTo(elements, 2);
+    const std::string whole = ui::count(static_cast<std::size_t>(rounded));
+    const std::string brief = rounded < 1e5   ? whole
+                              : rounded < 1e6 ? ui::number(1e-3 * rounded, 3) + " k"
+                                              : ui::number(1e-6 * rounded, 3) + " M";
+    return {brief + " \xe2\x96\xb3", whole};
 }
 
 } // namespace
@@ -54,9 +63,11 @@ void GradationRow::drawSlider(Shell &context) {
     double knob = knobOf(given.value_or(kUsual));
     constexpr float kPrediction = 62.0F;
     const float width = ImGui::GetContentRegionAvail().x / context.scale - kPrediction;
-    const bool moved = ui::thinSlider(context, "spacing/gradation/slider", knob, prediction(context),
-                                      std::max(24.0F, width), kPrediction);
-    ui::tooltip(context, "Predicted number of elements. Drag the slider: the node spacing and the live mesh follow.");
+    const Prediction predicted = predictionOf(context.preview->estimatedElements);
+    const bool moved =
+        ui::thinSlider(context, "spacing/gradation/slider", knob, predicted.brief, std::max(24.0F, width), kPrediction);
+    ui::tooltip(context, "Predicted number of elements" + (predicted.whole.empty() ? "" : ": " + predicted.whole) +
+                             ". Drag the slider: the node spacing and the live mesh follow.");
     drag_.follow(context, moved, [&](const char *stroke) {
         const double gradation = roundedTo(kGentlest * std::pow(kSteepest / kGentlest, knob), 2);
         if (given == gradation) {

@@ -82,7 +82,7 @@ class HistogramPanel final : public Panel {
             return;
         }
         ui::small(context, "min " + text(summary.minimum) + "  median " + text(summary.percentiles[3]) + "  mean " +
-                               ui::number(summary.mean, kDigits) + "  max " + text(summary.maximum));
+                               text(summary.mean) + "  max " + text(summary.maximum));
         ui::mark(context, "histogram/summary");
         std::string percentiles = judgement.name + " of " + ui::count(summary.count) + ' ' +
                                   std::string(wordOf(judgement.info.part)) + (summary.count == 1 ? "" : "s");

@@ -50,7 +50,10 @@ class StatisticsPanel final : public Panel {
             ImGui::TableSetupColumn("c", ImGuiTableColumnFlags_WidthStretch, 1.1F);
             ImGui::TableSetupColumn("d", ImGuiTableColumnFlags_WidthStretch, 0.9F);
             rows(context, run);
+            ImGui::TableSetColumnIndex(1); // of the last row
+            const float column = ImGui::GetCursorPosX();
             ImGui::EndTable();
+            hashRow(context, run, column);
         }
         ImGui::PopFont();
     }
@@ -112,11 +115,20 @@ class StatisticsPanel final : public Panel {
         cell(context, "time", timeText(run.secondsMesh), "CPU time spent advancing the front");
         cell(context, "forced", ui::count(w.forced), "Elements made from existing nodes only, to close the front");
         cell(context, "improve", timeText(run.secondsImprove), "CPU time spent swapping edges and smoothing");
-        cell(context, "hash",
-             run.meshHash != 0 && run.atEnd()
-                 ? ui::format("%08x\xe2\x80\xa6", static_cast<unsigned>(run.meshHash >> 32))
-                 : std::string("\xe2\x80\x93"),
-             "Two meshes are identical bit for bit if and only if their hashes are equal");
+    }
+
+    /// Draws the hash, which is too long for a column, in a row of its own with its value below the other ones.
+    static void hashRow(Shell &context, const SessionSnapshot &run, float column) {
+        const ImVec2 from = ImGui::GetCursorScreenPos();
+        const double right = static_cast<double>(from.x + ImGui::GetContentRegionAvail().x);
+        ui::muted(context, "hash");
+        ImGui::SameLine(column);
+        ImGui::TextUnformatted(run.meshHash != 0 && run.atEnd()
+                                   ? ui::format("%016llx", static_cast<unsigned long long>(run.meshHash)).c_str()
+                                   : "\xe2\x80\x93");
+        const PixelRect rect{from.x, from.y, right - static_cast<double>(from.x), ImGui::GetTextLineHeight()};
+        ui::markPart(context, "statistics/hash", rect);
+        ui::tooltipOver(context, rect, "Two meshes are identical bit for bit if and only if their hashes are equal");
     }
 };
 

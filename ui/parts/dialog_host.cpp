@@ -1,6 +1,7 @@
 #include "ui/parts/preview_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/style/imgui_versions.hpp"
+#include "ui/widgets/shortened.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -63,9 +64,16 @@ void placeOnCanvas(const WidgetContext &context, const Dialog &dialog, const std
 /// Draws the title of a dialog and the button that closes it. Returns true if that was pressed.
 bool drawTitleRow(WidgetContext &context, const Dialog &dialog, const std::string &name) {
     ImGui::PushFont(context.fonts.title);
-    ImGui::TextUnformatted(dialog.title().c_str());
+    const std::string title = dialog.title();
+    const float button = ImGui::GetWindowWidth() - context.px(22 + 26);
+    const std::string shown = ui::withoutMiddle(title, button - ImGui::GetCursorPosX() - context.px(8));
+    ImGui::TextUnformatted(shown.c_str());
     ImGui::PopFont();
-    ImGui::SameLine(ImGui::GetWindowWidth() - context.px(22 + 26));
+    ui::mark(context, name + "/title");
+    if (shown != title) {
+        ui::tooltip(context, title);
+    }
+    ImGui::SameLine(button);
     const bool closed =
         ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false, dialog.closesOnEscape(), 26.0F);
     ImGui::Dummy({0, context.px(4)});

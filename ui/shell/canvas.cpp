@@ -404,21 +404,21 @@ void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
     CanvasPainter painter(list, frame.camera, frame.scale);
     reservePlates(context, painter);
     // What the tool draws lies above the layers, but its words, which are at the pointer, take their places first.
-    list.ChannelsSplit(2);
-    list.ChannelsSetCurrent(1);
+    painter.beginLevels();
+    painter.setLevel(CanvasPainter::Level::Tool);
     context.tools.current().drawOverlay(painter, context);
     drawPointerHint(painter, context);
     drawProbe(painter, context);
     if (context.settings.workspace == WorkspaceKind::Judge && !isFolded(context, "worst")) {
         drawRanks(painter, context);
     }
-    list.ChannelsSetCurrent(0);
+    painter.setLevel(CanvasPainter::Level::Layers);
     for (LayerSlot &slot : context.layers) {
         if (slot.visible) {
             slot.layer->drawOverlay(painter, frame);
         }
     }
-    list.ChannelsMerge();
+    painter.endLevels();
     labels = painter.labels();
     for (const CanvasPainter::Placed &label : labels) {
         if (!label.name.empty()) {

@@ -203,6 +203,24 @@ void travel(Shell &context, const std::function<void(RunControl &)> &move) {
     move(context.run);
 }
 
+/// Steps n times, backward if n is negative; says so where the run has no more steps.
+void stepBy(Shell &context, std::int64_t n) {
+    const SessionSnapshot &run = context.run.now();
+    const bool rests = run.mesh && run.stepped && !context.run.busy() && !context.run.outOfDate() &&
+                       !context.run.showsFile() && context.settings.workspace == WorkspaceKind::Step;
+    if (rests && (n > 0 ? run.atEnd() : run.position() == 0 && run.eventCursor == 0)) {
+        const std::string words = n > 0 ? "End of the run" : "Start of the run";
+        const auto &said = context.log.entries();
+        constexpr double kSeconds = 2.0; // a held key says it once in a while
+        if (said.empty() || said.back().diagnostic.message != words ||
+            context.platform.now() > said.back().time + kSeconds) {
+            context.log.inform(words);
+        }
+        return;
+    }
+    travel(context, [n](RunControl &control) { control.step(control.granularity, n); });
+}
+
 bool hasStops(const Shell &context) {
     return canMesh(context) && context.run.breakpoints().any();
 }
@@ -228,14 +246,13 @@ void addTimelineActions(ActionRegistry &actions) {
                  {"run.forward100", "100 steps forward", {key::kPeriod, kShift}, 100},
                  {"run.back100", "100 steps back", {key::kComma, kShift}, -100}};
     for (const auto &step : steps) {
-        actions.add(
-            {.id = step.id,
-             .menu = "Mesh",
-             .title = step.title,
-             .shortcuts = {step.shortcut},
-             .run = [n = step.steps](Shell &c) { travel(c, [n](RunControl &run) { run.step(run.granularity, n); }); },
-             .enabled = canMesh,
-             .repeats = true});
+        actions.add({.id = step.id,
+                     .menu = "Mesh",
+                     .title = step.title,
+                     .shortcuts = {step.shortcut},
+                     .run = [n = step.steps](Shell &c) { stepBy(c, n); },
+                     .enabled = canMesh,
+                     .repeats = true});
     }
     actions.add({.id = "run.nextStop",
                  .menu = "Mesh",

@@ -61,6 +61,10 @@ struct Theme {
 };
 
 Theme makeTheme(ThemeKind kind);
+/// Returns the colour of the plate of a label on the canvas: text is legible on it whatever line lies below.
+inline Colour labelPlate(const Theme &theme) {
+    return fade(theme.popup, 0.92);
+}
 /// Sets colours, rounding and spacing of Dear ImGui at `scale` pixels per design pixel.
 void applyTheme(const Theme &theme, float scale);
 

@@ -2,6 +2,7 @@
 
 #include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/field_frame.hpp"
+#include "ui/widgets/shortened.hpp"
 #include "ui/widgets/text_wrap.hpp"
 
 #include <imgui.h>
@@ -278,12 +279,17 @@ bool combo(WidgetContext &context, std::string_view name, std::span<const char *
     const Id id(name);
     ImGui::SetNextItemWidth(widthOf(context, width));
     std::optional<FieldFrame> frame(std::in_place, context);
-    const char *shown =
+    const std::string chosen =
         choice >= 0 && choice < static_cast<int>(labels.size()) ? labels[static_cast<std::size_t>(choice)] : "";
+    const float room = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;
+    const std::string shown = withoutMiddle(chosen, room);
     bool changed = false;
-    const bool open = ImGui::BeginCombo("##combo", shown);
+    const bool open = ImGui::BeginCombo("##combo", shown.c_str(), ImGuiComboFlags_HeightLarge);
     frame.reset();
     mark(context, name);
+    if (!open && shown != chosen) {
+        tooltip(context, chosen);
+    }
     if (open) {
         for (std::size_t i = 0; i < labels.size(); ++i) {
             ImGui::PushID(static_cast<int>(i)); // labels may be empty or repeated
@@ -376,12 +382,18 @@ bool selectable(WidgetContext &context, std::string_view name, std::string_view 
     mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const float y = at.y + (height - ImGui::GetFontSize()) / 2;
-    list.AddText({at.x + context.px(8), y}, context.theme.text, label.data(), label.data() + label.size());
+    float right = at.x + width - context.px(8);
     if (!detail.empty()) {
         const ImVec2 size = ImGui::CalcTextSize(detail.data(), detail.data() + detail.size());
-        list.AddText({at.x + width - size.x - context.px(8), y}, context.theme.muted, detail.data(),
-                     detail.data() + detail.size());
+        right -= size.x;
+        list.AddText({right, y}, context.theme.muted, detail.data(), detail.data() + detail.size());
+        right -= context.px(8);
     }
+    const float left = at.x + context.px(8);
+    if (left + ImGui::CalcTextSize(label.data(), label.data() + label.size()).x > right) {
+        tooltip(context, label);
+    }
+    shortened(context, {left, y}, right, label, context.theme.text);
     return pressed;
 }
 

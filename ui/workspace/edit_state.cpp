@@ -158,9 +158,10 @@ void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
                          "Ctrl to turn snapping off, Shift for directions in steps.");
     ImGui::SameLine(0, context.px(12));
     ui::checkbox(context, "options/snap/grid", "Snap to grid", context.snapping.toGrid);
-    ui::tooltip(context,
-                "Snap to a point of the drawing grid when the pointer is near it. The layer Grid shows the grid or "
-                "hides it.");
+    ui::tooltip(
+        context,
+        "Place points on the drawing grid unless a target of the drawing, a guide or a relation is nearer. Hold "
+        "Ctrl to turn snapping off. The layer Grid shows the grid or hides it.");
 }
 
 } // namespace forefront

@@ -41,14 +41,54 @@ Vec2 applyLocks(const SnapQuery &query, Vec2 p) {
     return p;
 }
 
-std::optional<Vec2> gridPoint(const SnapQuery &query) {
+/// Returns the line of the grid nearest to a coordinate; without a grid, the coordinate.
+double gridLine(const SnapQuery &query, double coordinate) {
     if (!(query.gridPitch > 0.0)) {
-        return std::nullopt;
+        return coordinate;
     }
-    const Vec2 point{std::round(query.at.x / query.gridPitch) * query.gridPitch,
-                     std::round(query.at.y / query.gridPitch) * query.gridPitch};
-    const double reach = std::min(query.tolerance, 0.35 * query.gridPitch);
-    return distance(point, query.at) <= reach ? std::optional(point) : std::nullopt;
+    // A pitch such as 0.1 is rounded, but its inverse is not: 0.3 is 3 / 10, not 3 * 0.1.
+    const double inverse = 1.0 / query.gridPitch, whole = std::round(inverse);
+    const bool isPart = whole > 1.0 && std::fabs(inverse - whole) <= 1e-12 * whole;
+    return isPart ? std::round(coordinate * whole) / whole : std::round(coordinate / query.gridPitch) * query.gridPitch;
+}
+
+std::optional<Vec2> gridPoint(const SnapQuery &query) {
+    return query.gridPitch > 0.0 ? std::optional(Vec2{gridLine(query, query.at.x), gridLine(query, query.at.y)})
+                                 : std::nullopt;
+}
+
+/// Returns true if the pointer is near a point of the grid.
+bool isNearGrid(const SnapQuery &query) {
+    const std::optional<Vec2> point = gridPoint(query);
+    return point && distance(*point, query.at) <= std::min(query.tolerance, 0.35 * query.gridPitch);
+}
+
+/// Moves a place on a level or upright segment along it to a line of the grid, unless that is beyond its ends.
+Vec2 alongSegment(const SnapQuery &query, const SegmentHit &hit) {
+    const Vec2 low{std::min(hit.a.x, hit.b.x), std::min(hit.a.y, hit.b.y)};
+    const Vec2 high{std::max(hit.a.x, hit.b.x), std::max(hit.a.y, hit.b.y)};
+    Vec2 at = hit.at;
+    if (hit.curve || (low.x == high.x) == (low.y == high.y)) {
+        return at;
+    }
+    if (low.y == high.y) {
+        at.x = gridLine(query, at.x);
+    } else {
+        at.y = gridLine(query, at.y);
+    }
+    const bool within = at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y;
+    return within ? at : hit.at;
+}
+
+/// Moves a place that is level with another or above it, and bound to nothing else, along that line to the grid.
+Vec2 alongRelation(const SnapQuery &query, const InferredPlace &inferred) {
+    Vec2 at = inferred.at;
+    if (inferred.relations.size() == 1 && inferred.relations.front().kind == ConstraintKind::Horizontal) {
+        at.x = gridLine(query, at.x);
+    } else if (inferred.relations.size() == 1 && inferred.relations.front().kind == ConstraintKind::Vertical) {
+        at.y = gridLine(query, at.y);
+    }
+    return at;
 }
 
 } // namespace
@@ -107,14 +147,16 @@ std::optional<Vec2> guidePoint(const Document &document, const SnapQuery &query)
     if (!x && !y) {
         return std::nullopt;
     }
-    const std::optional<Vec2> grid = gridPoint(query);
-    return Vec2{x ? *x : grid ? grid->x : query.at.x, y ? *y : grid ? grid->y : query.at.y};
+    return Vec2{x ? *x : gridLine(query, query.at.x), y ? *y : gridLine(query, query.at.y)};
 }
 
 Snapped snapLocked(const PickIndex &index, const SnapQuery &query) {
     // Coordinates that are not locked still snap: a typed distance points exactly at the node under the pointer.
     SnapQuery free = query;
     free.locks = {};
+    if ((query.locks.distance || query.locks.angle) && !isNearGrid(query)) {
+        free.gridPitch = 0.0; // the point will not lie on the grid
+    }
     const Snapped target = snap(index, free);
     Snapped locked{applyLocks(query, target.at), SnapKind::Locked};
     locked.locks = query.locks;
@@ -150,8 +192,9 @@ std::string wordsOf(const Snapped &snapped) {
     }
     std::string words;
     const SnapLocks &locks = snapped.locks;
-    for (const auto &[lock, name] : {std::pair(locks.x, "x"), std::pair(locks.y, "y"),
-                                     std::pair(locks.distance, "length"), std::pair(locks.angle, "angle")}) {
+    for (const auto &[lock, name] :
+         {std::pair(locks.x, "x"), std::pair(locks.y, "y"),
+          std::pair(locks.distance, locks.isRadius ? "radius" : "length"), std::pair(locks.angle, "angle")}) {
         if (lock) {
             words += (words.empty() ? "" : ", ") + std::string(name);
         }
@@ -162,7 +205,7 @@ std::string wordsOf(const Snapped &snapped) {
 
 namespace {
 
-/// Snaps a point without inferred relations.
+/// Snaps a point to parts of the drawing and guides.
 Snapped snapToTargets(const PickIndex &index, const SnapQuery &query) {
     if (query.angle && query.anchor && query.at != *query.anchor) {
         Snapped turned{{}, SnapKind::Angle};
@@ -181,15 +224,33 @@ Snapped snapToTargets(const PickIndex &index, const SnapQuery &query) {
         return *special;
     }
     if (const auto segment = index.segment(query.at, query.tolerance, query.filter)) {
-        return {segment->at, SnapKind::Segment, segment};
+        return {alongSegment(query, *segment), SnapKind::Segment, segment};
     }
     if (const auto point = query.guides ? guidePoint(index.document(), query) : std::nullopt) {
         return {*point, SnapKind::Guide};
     }
-    if (const auto point = gridPoint(query)) {
-        return {*point, SnapKind::Grid};
-    }
     return {query.at};
+}
+
+/// Snaps a point that meets no part of the drawing to inferred relations or to the grid.
+Snapped snapBetween(const PickIndex &index, const SnapQuery &query) {
+    const std::optional<Vec2> grid = gridPoint(query);
+    auto inferred = query.infer ? inferRelations(index, query.filter, *query.infer, query.at, query.tolerance)
+                                : std::optional<InferredPlace>();
+    if (inferred) {
+        Snapped snapped{alongRelation(query, *inferred), SnapKind::Inferred};
+        if (!grid || snapped.at == *grid || distance(snapped.at, query.at) < distance(*grid, query.at)) {
+            snapped.kind = grid == snapped.at ? SnapKind::Grid : SnapKind::Inferred;
+            snapped.inferred = std::move(inferred->relations);
+            return snapped;
+        }
+    }
+    if (!grid) {
+        return {query.at};
+    }
+    Snapped snapped{*grid, SnapKind::Grid};
+    snapped.inferred = query.infer ? relationsAt(*query.infer, *grid) : std::vector<Inference>();
+    return snapped;
 }
 
 } // namespace
@@ -202,17 +263,11 @@ Snapped snap(const PickIndex &index, const SnapQuery &query) {
         return {query.at};
     }
     Snapped snapped = snapToTargets(index, query);
-    if (!query.infer || snapped.kind == SnapKind::Angle) {
-        return snapped;
+    if (snapped.kind == SnapKind::None) {
+        return snapBetween(index, query);
     }
-    if (snapped.kind != SnapKind::None) {
+    if (query.infer && snapped.kind != SnapKind::Angle) {
         snapped.inferred = relationsAt(*query.infer, snapped.at);
-        return snapped;
-    }
-    if (auto inferred = inferRelations(index, query.filter, *query.infer, query.at, query.tolerance)) {
-        snapped.at = inferred->at;
-        snapped.kind = SnapKind::Inferred;
-        snapped.inferred = std::move(inferred->relations);
     }
     return snapped;
 }

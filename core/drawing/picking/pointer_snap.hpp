@@ -33,6 +33,7 @@ struct SnapLocks {
     std::optional<double> x, y;
     std::optional<double> distance; ///< from the anchor, > 0
     std::optional<double> angle;    ///< of the direction from the anchor, degrees counter-clockwise from +x
+    bool isRadius = false;          ///< `distance` is called a radius, not a length
 
     bool any() const { return x || y || distance || angle; }
 };
@@ -41,7 +42,7 @@ struct SnapLocks {
 struct SnapQuery {
     Vec2 at;                       ///< the pointer, in domain units
     double tolerance = 0.0;        ///< snapping distance of nodes and segments, domain units
-    double gridPitch = 0.0;        ///< 0: no grid
+    double gridPitch = 0.0;        ///< 0: no grid; else what meets nothing nearer lies on the grid
     std::optional<Vec2> anchor;    ///< the last node drawn, or the start of a drag
     std::vector<Vec2> lines;       ///< starts of straight lines to the point: perpendiculars and tangents count
     bool off = false;              ///< ctrl: nothing snaps, but locks apply
@@ -74,9 +75,10 @@ Snapped lockedAt(Vec2 place);
 /// it did not snap.
 std::string wordsOf(const Snapped &snapped);
 
-/// Snaps a point to an angle, node, special point (see specialPoint()), segment, guide or the grid, in this order of
-/// preference, within the locks. The grid attracts only within the smaller of the tolerance and 0.35 of its pitch. What
-/// snaps to none of them is moved by inferred relations; relations that a snapped point fulfils are told, too.
+/// Snaps a point to an angle, node, special point (see specialPoint()), segment or guide, in this order of preference,
+/// else to inferred relations or to the grid, whichever is nearer, within the locks. With a grid, what may slide along
+/// an upright or level segment, guide or relation has its other coordinate on the grid. Beside a locked distance or
+/// angle the grid attracts only near its points. Relations that a snapped point fulfils are told, too.
 Snapped snap(const PickIndex &index, const SnapQuery &query);
 
 /// Returns the pitch of the drawing grid: 1, 2 or 5 times a power of ten, with lines at least `minPixels` apart; 0 if

@@ -195,7 +195,8 @@ SnapLocks NumericEntry::locks() const {
     return {.x = value(EntryField::X),
             .y = value(EntryField::Y),
             .distance = radius ? radius : value(EntryField::Distance),
-            .angle = value(EntryField::Angle)};
+            .angle = value(EntryField::Angle),
+            .isRadius = radius.has_value()};
 }
 
 std::optional<TypedPair> NumericEntry::pair() const {

@@ -57,7 +57,7 @@ class PenTool final : public DrawingTool {
     bool removeLast() override;
     std::optional<Vec2> ownSnap(Vec2 at, const Shell &context) const override;
     /// An outline drawn freehand would get a corner where it begins and ends.
-    bool snapsToGrid() const override { return mode_ != PenMode::Freehand || kind_ != ShapeKind::Polygon; }
+    bool snapsToGrid() const override { return mode_ != PenMode::Freehand; }
     bool describePath(InferenceQuery &query) const override;
     void pull(Vec2 to) override;
     void release(Vec2 at, bool away, Shell &context) override;

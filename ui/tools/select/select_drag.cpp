@@ -91,6 +91,39 @@ void SelectTool::beginMove(Shell &context) {
     linesTo_ = byNode ? linesToNode(*start_, moving_, grabbed_.node) : std::vector<Vec2>();
 }
 
+namespace {
+
+/// Returns the node of the moved shapes that is nearest to a place; none if no shape moves as a whole.
+std::optional<Vec2> nearestMovedNode(const Document &document, const Selection &moving, Vec2 at) {
+    std::optional<Vec2> nearest;
+    for (const std::uint32_t id : moving.shapes) {
+        const Shape *const shape = findShape(document, id);
+        for (const Vec2 node : shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>()) {
+            if (!nearest || distance(node, at) < distance(*nearest, at)) {
+                nearest = node;
+            }
+        }
+    }
+    return nearest;
+}
+
+/// Snaps the place `from` of a shape that is dragged there, not by a node: without another target, not this place but
+/// `node` comes to lie on the grid.
+Snapped snapByNode(const PickIndex &index, SnapQuery query, Vec2 from, Vec2 node) {
+    SnapQuery ofNode;
+    ofNode.at = node + (query.at - from);
+    ofNode.gridPitch = std::exchange(query.gridPitch, 0.0);
+    ofNode.guides = false;
+    ofNode.filter = [](const Shape &) { return false; };
+    Snapped snapped = snap(index, query);
+    if (snapped.kind == SnapKind::None && !query.off) {
+        snapped = {from + (snap(index, ofNode).at - node), SnapKind::Grid};
+    }
+    return snapped;
+}
+
+} // namespace
+
 void SelectTool::updateMove(Shell &context) {
     alone_ = last_.modifiers.alt();
     SnapQuery query = state_->query(context, grabbed_.at + (last_.place - pressPlace_),
@@ -113,6 +146,9 @@ void SelectTool::updateMove(Shell &context) {
     }
     if (const std::optional<TypedPair> pair = entry_.pair()) {
         snapped_ = lockedAt(pair->relative ? *query.anchor + pair->value : pair->value);
+    } else if (const auto node = nearestMovedNode(*start_, moving_, grabbed_.at);
+               node && grabbed_.kind != Hit::Kind::Node && query.gridPitch > 0.0 && !query.locks.any()) {
+        snapped_ = snapByNode(*startIndex_, std::move(query), grabbed_.at, *node);
     } else {
         snapped_ = snap(*startIndex_, query);
     }

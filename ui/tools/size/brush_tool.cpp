@@ -61,6 +61,10 @@ double BrushTool::radius(const Shell &context) const {
     return held > 0.0 ? held : roundedTo(EditState::reach(context, 36.0), 2);
 }
 
+bool BrushTool::followsPointer(const Shell &context) const {
+    return pointer_ && !(state_->held(&EditState::brushSpacing, context) > 0.0) && spacingAt(context, *pointer_) > 0.0;
+}
+
 double BrushTool::spacing(const Shell &context) const {
     if (const double held = state_->held(&EditState::brushSpacing, context); held > 0.0) {
         return held;
@@ -264,6 +268,7 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
         text += "  " + std::string(wordOf(state_->brushMode));
     } else if (sets()) {
         text += "  \xcf\x81=" + ui::number(stroke_.empty() ? spacing(context) : strokeSpacing_, 3);
+        text += stroke_.empty() && followsPointer(context) ? ", 0.4 of the size here" : "";
     }
     // Beside the ring, but no farther away than its width on the screen.
     const double beside = std::min(0.71 * ring * context.view.camera.zoom / painter.scale(), 160.0) + 8.0;
@@ -305,7 +310,9 @@ void BrushTool::drawOptions(Shell &context, ui::Flow &flow) {
     if (sets()) {
         if (double shown = spacing(context); drawSizeOption(
                 context, flow, "options/brush/spacing", "Spacing \xcf\x81", shown,
-                "Element size to paint. Also Shift + [ and ], or Shift + wheel.", context.document.current()->unit)) {
+                "Element size to paint. Until the first stroke it is 0.4 of the size under the pointer; enter a number "
+                "to paint that one. Also Shift + [ and ], or Shift + wheel.",
+                context.document.current()->unit)) {
             state_->brushSpacing = shown;
         }
     }

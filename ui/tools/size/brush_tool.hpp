@@ -47,6 +47,8 @@ class BrushTool final : public Tool {
     void scale(double factor, bool spacing, Shell &context);
     /// Returns the radius that the user has set, or one that suits the view.
     double radius(const Shell &context) const;
+    /// Returns true before the first stroke, while the spacing to paint depends on where the pointer is.
+    bool followsPointer(const Shell &context) const;
     /// Returns the spacing that the user has set, or one finer than the present spacing under the pointer.
     double spacing(const Shell &context) const;
 
