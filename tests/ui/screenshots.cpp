@@ -262,6 +262,7 @@ std::vector<Shot> scenes() {
             {"glossary", action("glossary.candidates")},
             {"open", action("file.open")},
             {"openmesh", action("file.openMesh")},
+            {"opentab", action("file.openInTab")},
             {"comparemesh", action("file.compareMesh")},
             {"save", action("file.saveAs")},
             {"import", action("file.import")},

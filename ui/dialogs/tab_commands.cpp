@@ -36,22 +36,21 @@ std::optional<std::size_t> tabOf(const Shell &context, const std::filesystem::pa
 
 /// Opens a mesh, drawing or map in a tab once another thread has read it.
 void openForeignInTab(Shell &context, const std::filesystem::path &file, const std::shared_ptr<FileOutcome> &outcome) {
-    readInBackground(context, file, outcome,
-                     [&context, file](const Progress &progress) -> Result<BackgroundTask::Finish> {
-                         const auto notes = std::make_shared<ImportNotes>();
-                         ImportOptions options;
-                         options.progress = progress;
-                         Result<Document> read = readDocument(file, options, notes.get());
-                         if (!read) {
-                             return read.faults();
-                         }
-                         const auto opened = std::make_shared<const StampedDocument>(
-                             StampedDocument{*std::move(read), {}});
-                         return BackgroundTask::Finish([&context, file, opened, notes] {
-                             freshTab(context);
-                             showOpened(context, *opened, *notes, file);
-                         });
-                     });
+    readInBackground(
+        context, file, outcome, [&context, file](const Progress &progress) -> Result<BackgroundTask::Finish> {
+            const auto notes = std::make_shared<ImportNotes>();
+            ImportOptions options;
+            options.progress = progress;
+            Result<Document> read = readDocument(file, options, notes.get());
+            if (!read) {
+                return read.faults();
+            }
+            const auto opened = std::make_shared<const StampedDocument>(StampedDocument{*std::move(read), {}});
+            return BackgroundTask::Finish([&context, file, opened, notes] {
+                freshTab(context);
+                showOpened(context, *opened, *notes, file);
+            });
+        });
 }
 
 /// Opens a project in a tab, or shows the tab where it is open. Returns the faults of a file that cannot be read.
@@ -223,10 +222,9 @@ void addTabActions(ActionRegistry &actions) {
                  .shortcuts = {{'T', kControl}},
                  .run = newTab,
                  .separatorBefore = true});
-    actions.add({.id = "file.openInTab",
-                 .menu = "File",
-                 .title = "Open in new tab\xe2\x80\xa6",
-                 .run = [](Shell &c) { openInTab(c); }});
+    actions.add({.id = "file.openInTab", .menu = "File", .title = "Open in new tab\xe2\x80\xa6", .run = [](Shell &c) {
+                     openInTab(c);
+                 }});
     actions.add({.id = "file.tabs",
                  .menu = "File",
                  .title = "Tabs",
@@ -245,11 +243,10 @@ void addTabActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kPageUp, kControl}},
                  .run = [](Shell &c) { stepTab(c, c.tabs.size() - 1); },
                  .enabled = severalTabs});
-    actions.add({.id = "file.closeTab",
-                 .menu = "File",
-                 .title = "Close",
-                 .shortcuts = {{'W', kControl}},
-                 .run = [](Shell &c) { closeTab(c, c.tabs.active()); }});
+    actions.add(
+        {.id = "file.closeTab", .menu = "File", .title = "Close", .shortcuts = {{'W', kControl}}, .run = [](Shell &c) {
+             closeTab(c, c.tabs.active());
+         }});
 }
 
 } // namespace forefront

@@ -28,9 +28,9 @@ struct LeftDocument {
     Selection selection;
     View view;
     WorkspaceKind workspace = WorkspaceKind::Draw;
-    bool meshColours = false;                      ///< see showMeshColours()
+    bool meshColours = false;                       ///< see showMeshColours()
     std::pair<std::string, std::uint64_t> exported; ///< see Shell::exported
-    std::uint64_t used = 0;                        ///< counts up; when its tab was left
+    std::uint64_t used = 0;                         ///< counts up; when its tab was left
 };
 
 /// The documents that are open in a window, from left to right. One is shown: it is in Shell itself, and its place here
@@ -54,8 +54,8 @@ class DocumentTabs {
     void show(std::size_t tab, Shell &context);
     /// Closes a tab with its document and shows its neighbour if it was the one shown. There must be another tab.
     void close(std::size_t tab, Shell &context);
-    /// Drops meshes of tabs in the background, the one left first to begin with, while they have more than `most` elements
-    /// together. They are made again when their tabs are shown. Called once per frame.
+    /// Drops meshes of tabs in the background, the one left first to begin with, while they have more than `most`
+    /// elements together. They are made again when their tabs are shown. Called once per frame.
     void limitMemory(Shell &context, std::size_t most = kMostElements);
 
     /// Files that wait to be opened in tabs, since one is read after the other.

@@ -99,8 +99,9 @@ void drawMore(Shell &context, std::size_t hidden) {
         ContextGroup all;
         for (std::size_t tab = 0; tab < context.tabs.size(); ++tab) {
             const TabCaption caption = captionOf(context, tab);
-            ContextItem item = commandOf("tab" + std::to_string(tab), (caption.dirty ? "\xe2\x80\xa2 " : "") + caption.title,
-                                         [tab](Shell &c) { showTab(c, tab); });
+            ContextItem item =
+                commandOf("tab" + std::to_string(tab), (caption.dirty ? "\xe2\x80\xa2 " : "") + caption.title,
+                          [tab](Shell &c) { showTab(c, tab); });
             item.checked = tab == context.tabs.active();
             all.push_back(std::move(item));
         }

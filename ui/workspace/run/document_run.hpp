@@ -57,9 +57,9 @@ struct DocumentRun {
     std::shared_ptr<const SessionSnapshot> opened; ///< mesh of a file or of Adapt; null: the run's mesh is shown
     bool adapted = false;                          ///< `opened` was made by Adapt
     LengthUnit openedUnit = LengthUnit::None;
-    std::shared_ptr<const FileFields> fields;  ///< values of that mesh; null: none
-    std::map<std::uint64_t, RunStart> starts;  ///< by run number, from the one shown to the last
-    std::uint64_t lastStart = 0;               ///< number of the last run; 0: none
+    std::shared_ptr<const FileFields> fields;    ///< values of that mesh; null: none
+    std::map<std::uint64_t, RunStart> starts;    ///< by run number, from the one shown to the last
+    std::uint64_t lastStart = 0;                 ///< number of the last run; 0: none
     std::shared_ptr<const Document> startedWith; ///< the document of the last run; null: none
     RunStart shown;
     std::uint64_t refusalLogged = 0; ///< run number
