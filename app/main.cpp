@@ -33,6 +33,9 @@ int editorCommand(int argc, const char *const *argv, bool view) {
         app.set_help_flag();
     }
     app.add_option(view ? "MESH" : "FILE", arguments.file)->check(CLI::ExistingFile)->required(view);
+    if (!view) {
+        app.add_option("FILES", arguments.others)->check(CLI::ExistingFile); // in further tabs
+    }
     app.add_option("--frames", arguments.frames)->check(wholeNumberWithin(1, 1'000'000'000));
     app.add_option("--state-file", arguments.stateFile);
     if (const auto code = parseOptions(app, {argc, argv})) {

@@ -6,6 +6,7 @@
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
+#include "app/batch/unit_option.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/engine/adapt/mesh_outline.hpp"
@@ -113,8 +114,9 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file, 
 }
 
 /// Returns the domain to mesh, with the sizes that belong to its places: that of a file, or the outline of the mesh.
+/// `unit`: set to that of the file, if it names one.
 Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainFile, const Mesh &mesh,
-                           ImportNotes &notes) {
+                           ImportNotes &notes, LengthUnit &unit) {
     if (!arguments.domain) {
         Result<MeshDomain> outline = outlineOf(mesh);
         if (!outline) {
@@ -134,6 +136,7 @@ Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainF
         return remarks;
     }
     printFaults(remarks);
+    unit = file->unit;
     MeshingJob job{std::move(file->domain), std::move(file->spacing), arguments.options()};
     job.cracks = std::move(file->cracks);
     job.periodic = std::move(file->periodic);
@@ -211,7 +214,9 @@ int runAdapt(const AdaptArguments &arguments) {
         return refuse(input.faults(), interrupt);
     }
     ImportNotes notes;
-    Result<MeshingJob> job = bar.during("reading", [&] { return readJob(arguments, *domainFile, input->mesh, notes); });
+    LengthUnit unit = LengthUnit::None;
+    Result<MeshingJob> job =
+        bar.during("reading", [&] { return readJob(arguments, *domainFile, input->mesh, notes, unit); });
     if (!job) {
         return refuse(job.faults(), interrupt);
     }
@@ -235,7 +240,8 @@ int runAdapt(const AdaptArguments &arguments) {
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
     const Diagnostics written = bar.during({}, [&] {
-        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.form, progress);
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), *mesh,
+                              withUnitOf(unit, arguments.form), progress);
     });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
@@ -290,6 +296,7 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
         ->check(positiveNumber())
         ->type_name("G");
     addMaxElementsOption(app, arguments.maxElements);
+    addUnitOption(app, arguments.form, "that of the domain, if it has one");
     app.add_option("--domain", arguments.domain, "domain to mesh; default: the area of the mesh, with its tags")
         ->type_name("IN");
     addDrawingOptions(app, arguments.drawing);
@@ -314,6 +321,9 @@ int adaptCommand(const CommandLine &line) {
     }
     if (wrong.empty()) {
         wrong = unusedAdaptOption(arguments);
+    }
+    if (wrong.empty()) {
+        wrong = checkUnit(arguments.form, pairFormats(arguments.outputs, arguments.formats));
     }
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the advancing front technique.
 
-  forefront [FILE]             open the editor with a project or domain file
+  forefront [FILE...]          open the editor with project or domain files
   forefront view MESH          open a mesh in the editor and inspect its quality
   forefront mesh IN -o OUT     mesh a file in batch           (forefront mesh --help)
   forefront check MESH         check a mesh                   (forefront check --help)

@@ -42,6 +42,7 @@ int runEditor(const EditorArguments &arguments) {
     setup.settingsFolder = folder;
     setup.stateFolder = stateFolder();
     setup.file = arguments.file.value_or(std::filesystem::path());
+    setup.others = arguments.others;
     setup.judge = arguments.judge;
     setup.sample = false;
     setup.startPage = true;

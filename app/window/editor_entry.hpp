@@ -11,6 +11,7 @@ namespace forefront {
 /// Command-line options of the editor.
 struct EditorArguments {
     std::optional<std::filesystem::path> file;      ///< project or domain file to open; none: the start page
+    std::vector<std::filesystem::path> others;      ///< files to open in further tabs
     bool judge = false;                             ///< open `file` as a mesh to inspect
     std::optional<int> frames;                      ///< close after this many frames (for tests)
     std::optional<std::filesystem::path> stateFile; ///< write the state of each frame there (for tests)

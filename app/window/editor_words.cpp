@@ -7,7 +7,8 @@ namespace forefront {
 
 namespace {
 
-constexpr std::string_view kFile = "--file=", kFrames = "--frames=", kStateFile = "--state-file=", kJudge = "--judge";
+constexpr std::string_view kFile = "--file=", kOther = "--other=", kFrames = "--frames=", kStateFile = "--state-file=",
+                           kJudge = "--judge";
 
 } // namespace
 
@@ -15,6 +16,9 @@ std::vector<std::string> editorWords(const EditorArguments &arguments) {
     std::vector<std::string> words;
     if (arguments.file) {
         words.push_back(std::string(kFile) + arguments.file->string());
+    }
+    for (const std::filesystem::path &other : arguments.others) {
+        words.push_back(std::string(kOther) + other.string());
     }
     if (arguments.judge) {
         words.emplace_back(kJudge);
@@ -33,6 +37,8 @@ std::optional<EditorArguments> editorArgumentsOf(std::span<const std::string> wo
     for (const std::string_view word : words) {
         if (word.starts_with(kFile)) {
             arguments.file = word.substr(kFile.size());
+        } else if (word.starts_with(kOther)) {
+            arguments.others.emplace_back(word.substr(kOther.size()));
         } else if (word.starts_with(kStateFile)) {
             arguments.stateFile = word.substr(kStateFile.size());
         } else if (word.starts_with(kFrames)) {

@@ -240,7 +240,7 @@ constexpr std::array kFormats = {
                      .holds = kAbaqusCells,
                      .holdsSolids = true,
                      .namesUnit = true,
-                     .program = "CalculiX",
+                     .program = "Abaqus, CalculiX",
                      .keeps = "Keeps regions as element sets, boundary parts as node sets NAME and surfaces S_NAME, "
                               "points as node sets, all with names that the solver accepts; NALL and EALL hold all "
                               "nodes and elements. Elements are CPS3, CPS4, CPS6 and CPS8, of solids C3D6 and C3D8. A "

@@ -11,6 +11,17 @@ namespace forefront::test {
 
 namespace {
 
+std::size_t tabs(D &d) {
+    return d.context().tabs.size();
+}
+
+/// Draws a triangle and opens a second, empty tab.
+void drawTwoTabs(D &d) {
+    drawTriangle(d);
+    d.key('T', {Modifiers::kControl});
+    d.settle();
+}
+
 std::vector<ActionCase> fileCases() {
     return {{"file.new", drawTriangle, [](D &d, const B &) { return dialogIs(d, "unsaved"); }},
             {"file.open", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "open"); }},
@@ -18,6 +29,12 @@ std::vector<ActionCase> fileCases() {
             {"file.compareMesh", drawMesh, [](D &d, const B &) { return dialogIs(d, "comparemesh"); }},
             {"file.recent", [](D &d) { d.context().settings.recentFiles = {"/bay/lake.forefront"}; },
              [](D &d, const B &) { return d.has("menu/file.recent/0"); }},
+            {"file.newTab", drawTriangle, [](D &d, const B &) { return tabs(d) == 2 && d.document().shapes.empty(); }},
+            {"file.openInTab", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "opentab"); }},
+            {"file.tabs", drawTwoTabs, [](D &d, const B &) { return d.has("menu/file.tabs/1"); }},
+            {"file.nextTab", drawTwoTabs, [](D &d, const B &) { return !d.document().shapes.empty(); }},
+            {"file.previousTab", drawTwoTabs, [](D &d, const B &) { return !d.document().shapes.empty(); }},
+            {"file.closeTab", drawTwoTabs, [](D &d, const B &) { return tabs(d) == 1; }},
             {"file.samples", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "gallery"); }},
             {"file.save", drawTriangle, [](D &d, const B &) { return dialogIs(d, "save"); }},
             {"file.saveAs", drawTriangle, [](D &d, const B &) { return dialogIs(d, "save"); }},

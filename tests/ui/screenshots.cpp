@@ -122,6 +122,18 @@ void offerRecovery(Driver &driver) {
     recovery.offer(driver.context());
 }
 
+/// Opens tabs with drawings of different names, one of them too long for its tab.
+void openTabs(Driver &driver) {
+    Shell &context = driver.context();
+    const Document drawing = *context.document.current();
+    for (const char *title : {"Bracket", "Harbour with a long name that a tab cannot show whole, version 7", "Plate"}) {
+        context.tabs.open(context);
+        context.document.load(drawing, {}, title[0] != 'P', title);
+        driver.settle();
+    }
+    driver.key(key::kPageUp, {Modifiers::kControl});
+}
+
 struct Shot {
     const char *name;
     std::function<void(Driver &)> show;
@@ -250,6 +262,7 @@ std::vector<Shot> scenes() {
             {"glossary", action("glossary.candidates")},
             {"open", action("file.open")},
             {"openmesh", action("file.openMesh")},
+            {"opentab", action("file.openInTab")},
             {"comparemesh", action("file.compareMesh")},
             {"save", action("file.saveAs")},
             {"import", action("file.import")},
@@ -310,10 +323,12 @@ std::vector<Shot> scenes() {
             {"unsaved", action("file.new")},
             {"changed", [](Driver &driver) { askAboutChange(driver.context(), FileStamp{}, {}); }},
             {"lessons", action("learn.lessons")},
-            {"lesson", [](Driver &driver) {
+            {"lesson",
+             [](Driver &driver) {
                  driver.context().document.markSaved({});
                  driver.click("lessons/1-front");
-             }}};
+             }},
+            {"tabs", openTabs}};
 }
 
 } // namespace

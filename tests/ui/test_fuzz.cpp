@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <random>
@@ -71,11 +72,11 @@ class Hand {
     }
 
   private:
-    static constexpr std::array<int, 22> kKeys{
+    static constexpr std::array<int, 24> kKeys{
         key::kEscape,    key::kEnter,       key::kTab,  key::kBackspace, key::kDelete, key::kLeft,
         key::kRight,     key::kUp,          key::kDown, key::kEscape,    key::kEnter,  key::kDelete,
         key::kBackspace, key::kLeftBracket, key::k0,    key::k9,         key::kPeriod, key::kMinus,
-        key::kComma,     key::kEqual,       key::kHome, key::kEnd};
+        key::kComma,     key::kEqual,       key::kHome, key::kEnd,       key::kPageUp, key::kPageDown};
     static constexpr std::string_view kText = "0123456789.,-+*/()@=xydqer ";
 
     std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
@@ -129,8 +130,16 @@ class Hand {
         send({.kind = InputKind::MouseMove, .x = at_.x, .y = at_.y});
         return true;
     }
+    /// Returns true if the pointer is over a tab: a press could close it and ask to save it.
+    bool overTab() {
+        const PixelRect canvas = driver_.canvas();
+        return driver_.context().tabs.size() > 1 && at_.y < canvas.y && !canvas.contains(at_);
+    }
     /// Presses or releases a button, mostly the left one. Menus load and save files, so they are left alone.
     bool button() {
+        if (!down_ && overTab()) {
+            return false;
+        }
         if (!driver_.canvas().contains(at_) && !down_) {
             const WidgetRegistry::Widget *const menu = driver_.context().widgets.find("menu/File");
             if (menu != nullptr && at_.y < menu->rect.y + 2.0 * menu->rect.height) {
@@ -146,7 +155,7 @@ class Hand {
     }
     /// Taps a key, unless it would open, load, save or mesh something.
     bool key(int code, Modifiers modifiers) {
-        constexpr std::string_view kFiles = "NOSQEIP";
+        constexpr std::string_view kFiles = "NOSQEIPW";
         const bool files = modifiers.control() && code < 128 && kFiles.find(static_cast<char>(code)) != kFiles.npos;
         if (files) {
             return false;
@@ -195,7 +204,9 @@ void comeToRest(Draughtsman &driver, Hand &hand) {
 /// Looks at each document that comes, so that a fault is reported with the command that made it.
 class Watch {
   public:
-    explicit Watch(const DocumentStore &store) : loads_(store.loads()), start_(store.current()), last_(start_) {}
+    explicit Watch(const DocumentStore &store) : loads_(store.loads()), last_(store.current()) {
+        starts_[loads_] = last_;
+    }
 
     /// Checks the shapes that were not in the last document.
     void look(const DocumentStore &store) {
@@ -206,7 +217,7 @@ class Watch {
         last_ = store.current();
         if (store.loads() != loads_) {
             loads_ = store.loads();
-            start_ = last_;
+            starts_.try_emplace(loads_, last_); // kept while it is in another tab
         }
         std::set<std::shared_ptr<const Shape>> shapes(last_->shapes.begin(), last_->shapes.end());
         for (const auto &shape : shapes) {
@@ -227,12 +238,13 @@ class Watch {
     }
 
     /// Returns the document that the history begins with: the empty one, or that of a lesson that was opened.
-    const Document &start() const { return *start_; }
+    const Document &start() const { return *starts_.at(loads_); }
     std::size_t changes() const { return changes_; }
 
   private:
     std::uint64_t loads_;
-    std::shared_ptr<const Document> start_, last_;
+    std::map<std::uint64_t, std::shared_ptr<const Document>> starts_; ///< by DocumentStore::loads()
+    std::shared_ptr<const Document> last_;
     std::size_t changes_ = 0;
     std::set<std::shared_ptr<const Shape>> sound_; ///< held, so that no other shape gets the address of one of them
 };

@@ -148,7 +148,7 @@ TEST_CASE("Export: a button for each solver chooses its format and says what the
     openDialog(driver, "file.export", "export");
     const struct {
         const char *preset, *extension;
-    } presets[] = {{"gmsh", ".msh"}, {"freefem", ".mesh"}, {"calculix", ".inp"},
+    } presets[] = {{"gmsh", ".msh"}, {"freefem", ".mesh"}, {"calculix", ".inp"}, {"abaqus", ".inp"},
                    {"su2", ".su2"},  {"paraview", ".vtu"}, {"triangle", ".node"}};
     const TemporaryFolder place;
     for (const auto &[preset, extension] : presets) {

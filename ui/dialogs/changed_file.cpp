@@ -42,10 +42,7 @@ void reloadDocument(Shell &context) {
         context.log.add(read.faults());
         return;
     }
-    context.dialogs.dismissPreviews(context);
-    if (Tool &tool = context.tools.current(); !tool.undoLabel(context).empty()) {
-        tool.deactivate(context); // finishes what is being drawn, so that undo brings it back, too
-    }
+    finishInput(context); // undo brings back what is being drawn, too
     context.document.replace(std::move(read->document), "Reload");
     context.document.markSaved(file, read->stamp);
     context.log.add(notes.diagnostics());

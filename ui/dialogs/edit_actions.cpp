@@ -13,6 +13,7 @@
 #include "ui/dialogs/preferences_dialog.hpp"
 #include "ui/dialogs/repair_dialog.hpp"
 #include "ui/dialogs/shape_actions.hpp"
+#include "ui/dialogs/tab_commands.hpp"
 #include "ui/dialogs/unit_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -393,6 +394,7 @@ void addSelectionActions(ActionRegistry &actions) {
 
 void addEditActions(ActionRegistry &actions) {
     addOpenActions(actions);
+    addTabActions(actions);
     addFileActions(actions);
     addHistoryActions(actions);
     addSelectionActions(actions);

@@ -132,11 +132,15 @@ std::string baseName(const DocumentStore &document) {
 std::vector<FilePreset> solverPresets() {
     std::vector<FilePreset> presets;
     for (const FileFormat &format : allFormats().list()) {
-        const std::string program = format.program;
-        std::string id = lowerCase(program);
-        std::erase_if(id, [](char c) { return c < 'a' && (c < '0' || c > '9'); });
-        if (!program.empty()) {
+        constexpr std::string_view kBetween = ", ";
+        std::string_view rest = format.program;
+        while (!rest.empty()) {
+            const std::size_t end = std::min(rest.find(kBetween), rest.size());
+            const std::string program(rest.substr(0, end));
+            std::string id = lowerCase(program);
+            std::erase_if(id, [](char c) { return c < 'a' && (c < '0' || c > '9'); });
             presets.push_back({std::move(id), program, format.id});
+            rest.remove_prefix(std::min(end + kBetween.size(), rest.size()));
         }
     }
     return presets;

@@ -38,10 +38,6 @@ FileFilter projects() {
     return {std::string("Projects (") + kProjectExtension + ")", std::move(extensions), "projects"};
 }
 
-std::vector<FileFilter> drawings() {
-    return openFilters("All drawings", {projects()}, [](const FileFormat &format) { return format.readsDomain; });
-}
-
 Status save(Shell &context, const std::filesystem::path &file) {
     if (Status fault = notRegular(file); !fault.empty()) {
         return fault; // writing to a pipe could wait for ever
@@ -149,12 +145,6 @@ std::shared_ptr<const FileOutcome> importSpacingOf(Shell &context, const std::fi
     return outcome;
 }
 
-/// Returns true for files that may be large: all but projects, and those whose format is unknown.
-bool opensInBackground(const std::filesystem::path &file) {
-    const FileFormat *const format = allFormats().detect(file);
-    return format != nullptr && !isProject(format);
-}
-
 std::string viewKey(const Shell &context) {
     std::error_code ignored;
     return std::filesystem::absolute(context.document.path(), ignored).lexically_normal().string();
@@ -191,6 +181,15 @@ std::filesystem::path saveFolder(const Shell &context) {
 }
 
 } // namespace
+
+std::vector<FileFilter> drawingFilters() {
+    return openFilters("All drawings", {projects()}, [](const FileFormat &format) { return format.readsDomain; });
+}
+
+bool opensInBackground(const std::filesystem::path &file) {
+    const FileFormat *const format = allFormats().detect(file);
+    return format != nullptr && !isProject(format);
+}
 
 void rememberView(Shell &context) {
     if (context.document.path().empty() || context.view.fitPending) {
@@ -287,10 +286,7 @@ void rememberFile(Shell &context, const std::filesystem::path &file) {
 }
 
 void afterUnsaved(Shell &context, std::function<void(Shell &)> then) {
-    context.dialogs.dismissPreviews(context);
-    if (Tool &tool = context.tools.current(); !tool.undoLabel(context).empty()) {
-        tool.deactivate(context); // finishes what is being drawn, so that it is asked about, too
-    }
+    finishInput(context); // what is being drawn is asked about, too
     if (!context.document.dirty()) {
         then(context);
         return;
@@ -303,26 +299,30 @@ void afterUnsaved(Shell &context, std::function<void(Shell &)> then) {
         "unsaved", "Save changes?", "The changes to " + name + " have not been saved.", std::move(answers)));
 }
 
+void beginDocument(Shell &context) {
+    rememberView(context);
+    Document fresh;
+    fresh.options.method = context.settings.newMethod;
+    fresh.options.improve = context.settings.newImprove;
+    fresh.spacing.size = context.settings.newSize;
+    fresh.spacing.gradation = context.settings.newGradation;
+    fresh.spacing.segmentsPerTurn = context.settings.newPerTurn;
+    fresh.spacing.elementsAcross = context.settings.newAcross;
+    context.document.load(std::move(fresh), {});
+    context.selection.clear();
+    context.run.clear();
+    restoreColours(context);
+    if (!context.log.entries().empty()) {
+        context.newsDismissed = context.log.entries().back().number;
+    }
+    context.view.isolatedBin.reset();
+    context.plates.start = false; // the empty canvas was asked for
+    context.view.fit({{0.0, 0.0}, {10.0, 10.0}});
+    context.animate();
+}
+
 void newDocument(Shell &context) {
-    afterUnsaved(context, [](Shell &c) {
-        rememberView(c);
-        Document fresh;
-        fresh.options.method = c.settings.newMethod;
-        fresh.options.improve = c.settings.newImprove;
-        fresh.spacing.size = c.settings.newSize;
-        fresh.spacing.gradation = c.settings.newGradation;
-        fresh.spacing.segmentsPerTurn = c.settings.newPerTurn;
-        fresh.spacing.elementsAcross = c.settings.newAcross;
-        c.document.load(std::move(fresh), {});
-        c.selection.clear();
-        c.run.clear();
-        restoreColours(c);
-        c.newsDismissed = c.log.entries().empty() ? c.newsDismissed : c.log.entries().back().number;
-        c.view.isolatedBin.reset();
-        c.plates.start = false; // the empty canvas was asked for
-        c.view.fit({{0.0, 0.0}, {10.0, 10.0}});
-        c.animate();
-    });
+    afterUnsaved(context, beginDocument);
 }
 
 bool findSamples(Shell &context) {
@@ -358,7 +358,7 @@ void chooseDocument(Shell &context) {
     request.id = "open";
     request.title = "Open";
     request.action = "Open";
-    request.filters = drawings();
+    request.filters = drawingFilters();
     request.folder = startFolder(context);
     request.reads = [agreed](Shell &c, const std::filesystem::path &file) {
         auto outcome = opensInBackground(file) ? std::make_shared<FileOutcome>() : nullptr;
@@ -432,7 +432,7 @@ void importDrawing(Shell &context) {
     request.id = "import";
     request.title = "Import drawing";
     request.action = "Import";
-    request.filters = drawings();
+    request.filters = drawingFilters();
     request.folder = startFolder(context);
     request.reads = [](Shell &c, const std::filesystem::path &file) {
         auto outcome = std::make_shared<FileOutcome>();

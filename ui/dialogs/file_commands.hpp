@@ -3,12 +3,14 @@
 #include "core/drawing/document/document.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/files/source/file_stamp.hpp"
+#include "ui/dialogs/file_list.hpp"
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront {
 
@@ -24,11 +26,18 @@ struct StampedDocument {
 /// Reads a document from a regular file.
 Result<StampedDocument> readStamped(const std::filesystem::path &file, ImportNotes *notes);
 
+/// Returns the filters of dialogs that open drawings.
+std::vector<FileFilter> drawingFilters();
+/// Returns true for files that may be large: all but projects, and those whose format is unknown.
+bool opensInBackground(const std::filesystem::path &file);
+
 // The commands of the File menu. They report faults in the log.
 
 /// Runs `then` after asking whether to save unsaved changes.
 void afterUnsaved(Shell &context, std::function<void(Shell &)> then);
 void newDocument(Shell &context);
+/// Opens an empty document with the settings for new ones, without asking about unsaved changes.
+void beginDocument(Shell &context);
 /// Logs a warning if there are no samples, since the assets were not found. Returns true if there are some.
 bool findSamples(Shell &context);
 /// Opens the first sample, without asking about unsaved changes; logs that there is none.

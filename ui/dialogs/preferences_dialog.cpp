@@ -115,7 +115,7 @@ void PreferencesDialog::drawAppearance(Shell &context) {
     ui::rowLabel(context, "Motion", kLabel);
     ui::checkbox(context, "dialog/preferences/reducemotion", "Reduce motion", settings.reduceMotion);
     ui::rowLabel(context, "At the start", kLabel);
-    ui::checkbox(context, "dialog/preferences/reopens", "Open the last project", settings.reopens);
+    ui::checkbox(context, "dialog/preferences/reopens", "Open the last projects", settings.reopens);
     ui::rowLabel(context, "Rulers", kLabel);
     if (ui::checkbox(context, "dialog/preferences/rulers", "Show rulers along the canvas", settings.rulers)) {
         context.animate();

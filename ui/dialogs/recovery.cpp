@@ -4,6 +4,7 @@
 #include "core/drawing_files/project/project.hpp"
 #include "core/files/files.hpp"
 #include "ui/dialogs/recovery_dialog.hpp"
+#include "ui/dialogs/tab_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -12,6 +13,7 @@
 #include <ctime>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace forefront {
@@ -53,8 +55,9 @@ std::string shapesText(const OrphanedJournal &orphan) {
 
 } // namespace
 
-Recovery::Recovery(const std::filesystem::path &folder)
-    : folder_(folder / "recovery"), journal_(folder / "recovery", projectText) {}
+Recovery::Recovery(const std::filesystem::path &folder) : folder_(folder / "recovery") {}
+
+Recovery::Journalled::Journalled(const std::filesystem::path &folder) : journal(folder, projectText) {}
 
 /// Takes the journals that were left behind, and returns the number of those that are locked.
 std::size_t Recovery::collect(Shell &context) {
@@ -82,7 +85,9 @@ void Recovery::offer(Shell &context) {
 /// for journals that have become free, until the user has drawn something.
 void Recovery::lookAgain(Shell &context) {
     const double now = steadySeconds();
-    if (now > lastLook_ || dirty_ || context.dialogs.any()) {
+    const bool drawn =
+        std::any_of(journals_.begin(), journals_.end(), [](const auto &each) { return each.second.dirty; });
+    if (now > lastLook_ || drawn || context.dialogs.any()) {
         return;
     }
     context.wakeAt(context.platform.now() + kLookEvery);
@@ -125,29 +130,68 @@ std::shared_ptr<const Document> withPath(const std::shared_ptr<const Document> &
 
 } // namespace
 
-void Recovery::follow(Shell &context) {
-    const std::uint64_t revision = context.document.revision();
-    const bool dirty = context.document.dirty();
-    std::optional<Shape> path = context.tools.current().unfinished();
-    if (revision != revision_ || dirty != dirty_ || path != path_) {
-        path_ = path;
-        if (dirty || path) {
-            const std::shared_ptr<const Document> document = context.document.current();
-            const RecoveryJournal::Place place{context.document.path(), context.document.title(),
-                                               context.document.stamp().hash};
-            if (path) { // pulled in every frame, but rarely written
-                journal_.record([document, drawn = *std::move(path)] { return withPath(document, drawn); }, place);
-            } else {
-                journal_.record(document, place);
-            }
-        } else {
-            journal_.recordSaved();
-        }
-        revision_ = revision;
-        dirty_ = dirty;
+Recovery::Now Recovery::documentOf(const Shell &context, std::size_t tab) {
+    if (const auto &left = context.tabs.at(tab).left) {
+        const OpenDocument &open = left->document;
+        return {open.history.shared(),
+                open.revision(),
+                open.history.dirty(),
+                std::nullopt,
+                {open.path, open.name(), open.stamp.hash}};
     }
-    context.log.add(journal_.takeFaults());
+    const DocumentStore &store = context.document;
+    return {store.current(),
+            store.revision(),
+            store.dirty(),
+            context.tools.current().unfinished(),
+            {store.path(), store.title(), store.stamp().hash}};
+}
+
+void Recovery::record(std::uint64_t tab, Now now) {
+    auto known = journals_.find(tab);
+    if (known == journals_.end()) {
+        if (!now.dirty && !now.path) {
+            return; // nothing could be lost
+        }
+        known = journals_.try_emplace(tab, folder_).first;
+    }
+    Journalled &last = known->second;
+    if (now.revision == last.revision && now.dirty == last.dirty && now.path == last.path) {
+        return;
+    }
+    last.revision = now.revision;
+    last.dirty = now.dirty;
+    last.path = now.path;
+    if (now.path) { // pulled in every frame, but rarely written
+        last.journal.record(
+            [document = now.document, drawn = *std::move(now.path)] { return withPath(document, drawn); }, now.place);
+    } else if (now.dirty) {
+        last.journal.record(now.document, now.place);
+    } else {
+        last.journal.recordSaved();
+    }
+}
+
+void Recovery::follow(Shell &context) {
+    std::set<std::uint64_t> open;
+    for (std::size_t tab = 0; tab < context.tabs.size(); ++tab) {
+        const std::uint64_t id = context.tabs.at(tab).id;
+        open.insert(id);
+        record(id, documentOf(context, tab));
+    }
+    std::erase_if(journals_, [&](const auto &each) { return !open.contains(each.first); });
+    for (auto &[id, journalled] : journals_) {
+        context.log.add(journalled.journal.takeFaults());
+    }
     lookAgain(context);
+}
+
+/// Shows what a recovered document takes the place of.
+void Recovery::makeRoom(const OrphanedJournal &journal, Shell &context) {
+    const bool shown = !journal.savedAt().empty() && showTabOf(context, journal.savedAt());
+    if (!shown || context.document.dirty()) {
+        freshTab(context);
+    }
 }
 
 bool Recovery::recover(std::size_t orphan, Shell &context) {
@@ -162,16 +206,24 @@ bool Recovery::recover(std::size_t orphan, Shell &context) {
         stamp.kind = FileStamp::Kind::File;
         stamp.hash = journal.savedHash();
     }
+    makeRoom(journal, context);
     context.document.load(std::move(document).value(), journal.savedAt(), true, journal.title(), stamp);
     context.selection.clear();
     context.run.clear();
     restoreColours(context);
     context.view.fitPending = true;
     follow(context);
-    journal_.flush();
+    journals_.at(context.tabs.at(context.tabs.active()).id).journal.flush();
     discard(orphan, context);
     context.log.announce("Recovered unsaved changes; save the document to keep them");
     return true;
+}
+
+bool Recovery::recoverAll(Shell &context) {
+    for (std::size_t k = 0; k < orphans_.size();) {
+        k += recover(k, context) ? 0 : 1;
+    }
+    return orphans_.empty();
 }
 
 void Recovery::discard(std::size_t orphan, Shell &context) {

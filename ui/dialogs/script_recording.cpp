@@ -4,6 +4,7 @@
 #include "core/files/text/atomic_file.hpp"
 #include "ui/dialogs/export_dialog.hpp"
 #include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/tab_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -197,7 +198,7 @@ void addFileMenuEnd(ActionRegistry &actions, ScriptRecording &recording) {
                  .shortcuts = {{'Q', kControl}},
                  .run =
                      [&recording](Shell &c) {
-                         afterUnsaved(c, [&recording](Shell &d) {
+                         afterAllUnsaved(c, [&recording](Shell &d) {
                              if (recording.active()) {
                                  recording.stop(d);
                              }

@@ -3,6 +3,10 @@
 #include "ui/parts/shell.hpp"
 #include "ui/parts/shown_panels.hpp"
 
+#include <cstddef>
+#include <filesystem>
+#include <system_error>
+
 namespace forefront {
 
 void applySettings(Shell &context) {
@@ -23,6 +27,13 @@ Settings settingsToSave(const Shell &context) {
         changedLayers(settings.workspace, lesson ? lesson->layersBefore : chosenLayers(context));
     settings.panels = lesson ? lesson->panelsBefore : context.view.panels;
     settings.snapping = context.snapping;
+    settings.openFiles.clear();
+    for (std::size_t tab = 0; tab < context.tabs.size(); ++tab) {
+        if (const std::filesystem::path file = captionOf(context, tab).path; !file.empty()) {
+            std::error_code ignored;
+            settings.openFiles.push_back(std::filesystem::absolute(file, ignored).lexically_normal().string());
+        }
+    }
     return settings;
 }
 

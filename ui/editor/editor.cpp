@@ -80,11 +80,18 @@ bool Editor::Parts::keySharesFrame(const InputEvent &event) const {
 
 namespace {
 
-/// Returns true if the last project is to be opened again, and is still there.
-bool reopensLast(const Settings &settings) {
-    std::error_code ignored;
-    return settings.reopens && !settings.lastFile.empty() &&
-           std::filesystem::is_regular_file(settings.lastFile, ignored);
+/// Returns the files to open again, in the order of their tabs, as far as they are still there; the last one is that of
+/// the tab to be shown.
+std::vector<std::string> reopened(const Settings &settings) {
+    std::vector<std::string> files = settings.reopens ? settings.openFiles : std::vector<std::string>();
+    if (settings.reopens && !settings.lastFile.empty() && (files.empty() || files.back() != settings.lastFile)) {
+        files.push_back(settings.lastFile);
+    }
+    std::erase_if(files, [](const std::string &file) {
+        std::error_code ignored;
+        return !std::filesystem::is_regular_file(file, ignored);
+    });
+    return files;
 }
 
 } // namespace
@@ -114,11 +121,13 @@ Editor::Editor(Platform &platform, EditorSetup options)
         openMesh(c, parts_->options.file);
     } else if (!parts_->options.file.empty()) {
         openDocument(c, parts_->options.file);
-    } else if (parts_->options.reopens && reopensLast(c.settings)) {
-        const std::string last = std::exchange(c.settings.lastFile, {});
+        c.tabs.waiting.assign(parts_->options.others.begin(), parts_->options.others.end());
+    } else if (const std::vector<std::string> last = reopened(c.settings); parts_->options.reopens && !last.empty()) {
+        c.settings.lastFile.clear();
         parts_->reopening = true;
         parts_->rememberSettings();
-        openDocument(c, last);
+        openDocument(c, last.front());
+        c.tabs.waiting.assign(last.begin() + 1, last.end());
     } else if (parts_->options.sample) {
         openFirstSample(c);
     }
@@ -268,7 +277,7 @@ void Editor::frame() {
     c.platform.present();
     p.recordFrame(begin, cancelling, busy);
     p.showTitle();
-    p.reopening = p.reopening && !settled();
+    p.reopening = p.reopening && !(settled() && c.tabs.waiting.empty());
     if (!ImGui::IsAnyItemActive()) {
         p.rememberSettings();
     }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -13,14 +14,15 @@ class Canvas;
 
 /// The settings an editor starts with.
 struct EditorSetup {
-    std::filesystem::path settingsFolder; ///< empty: settings are neither read nor saved
-    std::filesystem::path stateFolder;    ///< for the recovery journal, see stateFolder(); empty: no journal
-    std::filesystem::path file;           ///< project or domain to open
-    bool judge = false;                   ///< open `file` as a mesh to inspect, not as a drawing
-    bool sample = true;                   ///< open the first sample if no file is given
-    bool startPage = false;               ///< otherwise, show the page with ways to begin
-    bool reopens = false;                 ///< if no file is given, open Settings::lastFile as the settings say
-    std::filesystem::path stateFile;      ///< file that receives the state of each frame, for tests of the real window
+    std::filesystem::path settingsFolder;      ///< empty: settings are neither read nor saved
+    std::filesystem::path stateFolder;         ///< for the recovery journal, see stateFolder(); empty: no journal
+    std::filesystem::path file;                ///< project or domain to open
+    std::vector<std::filesystem::path> others; ///< projects or domains to open in further tabs
+    bool judge = false;                        ///< open `file` as a mesh to inspect, not as a drawing
+    bool sample = true;                        ///< open the first sample if no file is given
+    bool startPage = false;                    ///< otherwise, show the page with ways to begin
+    bool reopens = false;                      ///< if no file is given, open those of the last time as the settings say
+    std::filesystem::path stateFile; ///< file that receives the state of each frame, for tests of the real window
 };
 
 /// The whole editor, on any platform. One object, one thread.

@@ -1,6 +1,7 @@
 #include "core/files/files.hpp"
 #include "ui/dialogs/changed_file.hpp"
 #include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/tab_commands.hpp"
 #include "ui/editor/apply_settings.hpp"
 #include "ui/editor/editor_parts.hpp"
 #include "ui/panels/adapted_rounds.hpp"
@@ -62,6 +63,7 @@ void Editor::Parts::takeResults(bool cancels) {
         context.run.refresh();
     }
     drewNews = before != context.run.snapshot() || newsSeconds > 0.0;
+    followTabs(context);
     if (recovery) {
         recovery->follow(context);
     }
@@ -156,8 +158,8 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
             context.pictures.lookNow();
             canvasInput.dispatch(event, context);
         } else if (event.kind == InputKind::Drop) {
-            for (const std::string &path : event.paths) {
-                openDropped(context, path);
+            for (std::size_t k = 0; k < event.paths.size(); ++k) { // the first one takes the place of the drawing
+                k == 0 ? openDropped(context, event.paths[k]) : context.tabs.waiting.push_back(event.paths[k]);
             }
         } else {
             canvasInput.dispatch(event, context);
@@ -191,6 +193,7 @@ void Editor::Parts::buildInterface() {
     const bool presents = context.presentedFrom.has_value();
     if (!presents) {
         shell::drawMenuBar(context, layout.menu);
+        shell::drawTabs(context, layout.tabs);
         shell::drawOptionsBar(context, layout.options);
         shell::drawToolStrip(context, layout.tools);
     }
@@ -234,6 +237,7 @@ void Editor::Parts::rememberSettings() {
     Settings settings = settingsToSave(context);
     if (reopening) { // a project that ends the program must not do so at every start
         settings.lastFile.clear();
+        settings.openFiles.clear();
     }
     if (savedSettings != settings) {
         saveSettings(options.settingsFolder / "settings.json", settings);

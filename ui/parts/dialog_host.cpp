@@ -48,7 +48,10 @@ void placeOnCanvas(const WidgetContext &context, const Dialog &dialog, const std
     const float width = std::min(context.px(static_cast<double>(dialog.width())), size.x - margin);
     const float height = std::min(context.px(static_cast<double>(dialog.height())), size.y - margin);
     if (preview) {
-        ImGui::SetNextWindowPos({std::min(context.px(64), size.x - margin / 2 - width), context.px(88)});
+        const WidgetRegistry::Widget *const bar = context.widgets.find("options");
+        const double below = bar != nullptr ? bar->rect.y + bar->rect.height : 0.0;
+        ImGui::SetNextWindowPos(
+            {std::min(context.px(64), size.x - margin / 2 - width), static_cast<float>(below) + context.px(12)});
     } else {
         const WidgetRegistry::Widget *const last = context.widgets.find(name);
         placeDialog(dialog, last == nullptr ? nullptr : &last->rect, margin);

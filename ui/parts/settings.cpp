@@ -235,6 +235,7 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.recentFiles = textsIn(json, "recentFiles", 12);
     settings.reopens = boolIn(json, "reopens", settings.reopens);
     settings.lastFile = textIn(json, "lastFile");
+    settings.openFiles = textsIn(json, "openFiles", 100);
     settings.window = placeIn(json);
     return settings;
 }
@@ -311,6 +312,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
         json.key("answered").values(progress.answered).endObject();
     }
     json.endObject().key("recentFiles").values(settings.recentFiles);
+    json.key("openFiles").values(settings.openFiles);
     if (settings.window) {
         const WindowPlace &place = *settings.window;
         json.key("window").beginObject().member("x", place.x).member("y", place.y);

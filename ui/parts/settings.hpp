@@ -45,8 +45,9 @@ struct Settings {
     double liveBudget = 25'000.0;      ///< see RunControl::liveBudget
     std::optional<WindowPlace> window; ///< position when the program last ended
     std::vector<std::string> recentFiles;
-    bool reopens = true;                    ///< open the last project when the program starts without a file
+    bool reopens = true;                    ///< open the last projects when the program starts without a file
     std::string lastFile;                   ///< absolute path of the last project opened or saved; empty: none
+    std::vector<std::string> openFiles;     ///< absolute paths of the projects in the tabs, from left to right
     std::map<std::string, SavedView> views; ///< last view of each recent file
     bool panels = true;                     ///< show the right column
     WorkspaceKind workspace = WorkspaceKind::Draw;

@@ -6,6 +6,7 @@
 #include "ui/parts/context_menu.hpp"
 #include "ui/parts/dialog.hpp"
 #include "ui/parts/dimension_entry.hpp"
+#include "ui/parts/document_tabs.hpp"
 #include "ui/parts/guide_drag.hpp"
 #include "ui/parts/layer.hpp"
 #include "ui/parts/menu_keys.hpp"
@@ -58,6 +59,7 @@ struct Plates {
 /// The workspace and the parts of the window around it. Handed to tools, panels, dialogs and actions; owned by Editor.
 struct Shell : Workspace {
     Settings settings;
+    DocumentTabs tabs; ///< the documents that are open in this window
     ActionRegistry actions;
     DialogHost dialogs;
     ToolBox tools;

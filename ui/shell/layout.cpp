@@ -13,6 +13,7 @@ namespace forefront::shell {
 namespace {
 
 constexpr double kMenuHeight = 40, kOptionsHeight = 36, kTimelineHeight = 78, kStatusHeight = 26;
+constexpr double kTabsHeight = 32;
 constexpr double kLessonWidth = 330;
 constexpr double kNarrow = 800; ///< width of a window that has no room for the column beside the canvas
 constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< heights of the comparison table and of a row in it
@@ -60,8 +61,9 @@ Layout layOut(const Shell &context) {
     const double timeline = steps ? px(kTimelineHeight + (context.view.runPlot ? kPlotHeight : 0.0)) : 0.0;
     layout.status = {0, height - status, width, status};
     layout.timeline = {0, height - status - timeline, width, timeline};
-    layout.options = {0, layout.menu.height, width, presents ? 0.0 : px(kOptionsHeight)};
-    const double top = layout.menu.height + layout.options.height;
+    layout.tabs = {0, layout.menu.height, width, presents || context.tabs.size() < 2 ? 0.0 : px(kTabsHeight)};
+    layout.options = {0, layout.menu.height + layout.tabs.height, width, presents ? 0.0 : px(kOptionsHeight)};
+    const double top = layout.options.y + layout.options.height;
     const double middle = std::max(0.0, layout.timeline.y - top);
     const double tools = presents ? 0.0 : px(stripOf(context, middle).width());
     // In a narrow window the canvas keeps more than half of the remaining width.

@@ -13,7 +13,7 @@ void addLessonActions(ActionRegistry &actions);
 
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
-    PixelRect menu, options, tools, lessons, canvas, sides, figures, below, column, timeline, status;
+    PixelRect menu, tabs, options, tools, lessons, canvas, sides, figures, below, column, timeline, status;
     PixelRect open;           ///< the part of the canvas that the column does not cover
     PixelRect rulerX, rulerY; ///< above the canvas and left of it; empty if hidden
 };
@@ -47,6 +47,8 @@ CanvasBands bandsOf(const Shell &context, const PixelRect &canvas);
 PixelRect freeRoom(const Shell &context, const PixelRect &canvas);
 
 void drawMenuBar(Shell &context, const PixelRect &rect);
+/// Draws the tabs of the documents; nothing while there is only one.
+void drawTabs(Shell &context, const PixelRect &rect);
 /// Draws the menu of the selection at the pointer, if a tool asked for it.
 void drawContextMenu(Shell &context);
 /// Draws the field on the canvas in which something is named.

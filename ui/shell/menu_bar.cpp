@@ -242,7 +242,9 @@ void drawRightEnd(Shell &context, const PixelRect &rect) {
         end -= context.px(8);
     }
     const float used = drawWorkspaces(context, rect, menus, end);
-    drawTitle(context, rect, used + context.px(14), end - context.px(4));
+    if (context.tabs.size() < 2) { // else its tab shows it
+        drawTitle(context, rect, used + context.px(14), end - context.px(4));
+    }
     ImGui::SetCursorPos({icons, (static_cast<float>(rect.height) - icon) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), 0));
     const bool shown = columnShown(context);

@@ -8,12 +8,13 @@ struct MeshingSession::Worker : SessionWorker {
     using SessionWorker::SessionWorker;
 };
 
-MeshingSession::MeshingSession(std::function<void()> wake) : worker_(std::make_unique<Worker>(std::move(wake))) {}
+MeshingSession::MeshingSession(std::function<void()> wake, std::shared_ptr<RunNumbers> numbers)
+    : numbers_(std::move(numbers)), worker_(std::make_unique<Worker>(std::move(wake))) {}
 MeshingSession::~MeshingSession() = default;
 
 void MeshingSession::start(std::shared_ptr<const MeshingJob> job, StartMode mode, double budget, std::uint64_t position,
                            ImprovementPace improvement) {
-    worker_->mailbox().push(StartCommand{std::move(job), mode, budget, position, improvement});
+    worker_->mailbox().push(StartCommand{std::move(job), mode, budget, position, improvement, ++numbers_->last});
 }
 void MeshingSession::finish() {
     worker_->mailbox().push(FinishCommand{});

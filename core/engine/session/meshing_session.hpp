@@ -13,6 +13,12 @@
 
 namespace FOREFRONT_API forefront {
 
+/// The numbers of runs, counted from 1. Sessions that share them never give two runs the same number, nor two meshes
+/// the same version. For one thread.
+struct RunNumbers {
+    std::uint64_t last = 0;
+};
+
 /// A meshing run on a worker thread, with a timeline that moves forward and back, as by a MeshStepper. Quadrilaterals
 /// have no timeline: start() makes their mesh as a whole, whatever the mode, and moves do nothing. Call all members
 /// from one thread (the UI thread); all but wait() and waitForNews() return at once, and results appear in latest().
@@ -20,7 +26,9 @@ namespace FOREFRONT_API forefront {
 class MeshingSession {
   public:
     /// Starts the worker. It calls `wake`, unless empty, after each new snapshot, to wake a waiting event loop.
-    explicit MeshingSession(std::function<void()> wake = {});
+    /// `numbers`: never null.
+    explicit MeshingSession(std::function<void()> wake = {},
+                            std::shared_ptr<RunNumbers> numbers = std::make_shared<RunNumbers>());
     ~MeshingSession();
     MeshingSession(const MeshingSession &) = delete;
     MeshingSession &operator=(const MeshingSession &) = delete;
@@ -71,6 +79,7 @@ class MeshingSession {
 
   private:
     struct Worker;
+    std::shared_ptr<RunNumbers> numbers_;
     std::unique_ptr<Worker> worker_;
 };
 

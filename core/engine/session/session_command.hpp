@@ -17,6 +17,7 @@ struct StartCommand {
     double budget = std::numeric_limits<double>::infinity(); ///< elements
     std::uint64_t position = 0;                              ///< StartMode::Pause: advances done where it waits
     ImprovementPace improvement = ImprovementPace::Steps;
+    std::uint64_t number = 0; ///< of the run, see RunNumbers
 };
 struct PlayCommand {
     double rate = 0.0;

@@ -61,7 +61,7 @@ void SessionWorker::execute(const StartCommand &command) {
         execute(ClearCommand{});
     }
     const RunState before = state_;
-    ++number_;
+    number_ = command.number;
     diagnostics_.clear();
     quiet_ = command.mode == StartMode::RunQuiet;
     // A mesh without a timeline is made here as well, so that it replaces the previous one only once it is finished.

@@ -78,7 +78,7 @@ class SessionWorker {
     Diagnostics diagnostics_;
     std::string stage_;
     double stageProgress_ = 0.0;
-    std::uint64_t number_ = 0;      ///< of start commands
+    std::uint64_t number_ = 0;      ///< of the last start command
     std::uint64_t shownNumber_ = 0; ///< number of run_ or whole_; 0: no run
     std::uint64_t sequence_ = 0;
     SnapshotLayers layers_;

@@ -102,6 +102,18 @@ void Adaptation::clear() {
     request_ = {};
 }
 
+KeptAdaptation Adaptation::exchange(KeptAdaptation other) {
+    KeptAdaptation kept{now(), std::move(request_), selected, followed, shown, loads};
+    kept.progress.running = false;
+    reset(std::move(other.progress));
+    request_ = std::move(other.request);
+    selected = other.selected;
+    followed = other.followed;
+    shown = other.shown;
+    loads = other.loads;
+    return kept;
+}
+
 bool Adaptation::fits(const std::shared_ptr<const Document> &drawing) const {
     if (!request_.drawing) {
         return true;

@@ -52,6 +52,14 @@ struct AdaptProgress {
     Diagnostics faults; ///< why it ended early
 };
 
+/// The rounds of a document that is in the background.
+struct KeptAdaptation {
+    AdaptProgress progress;
+    AdaptRequest request;
+    std::size_t selected = 0, followed = 0;
+    std::uint64_t shown = 0, loads = 0;
+};
+
 /// Adapts the mesh of a request.
 Result<AdaptOutcome> adaptedMesh(const AdaptRequest &request, const Progress &progress, const AdaptReport &report);
 
@@ -69,6 +77,9 @@ class Adaptation {
     void cancel() { worker_.requestStop(); }
     /// Drops the rounds, and cancels the adaptation if it is running.
     void clear();
+    /// Shows the rounds of another document, and returns those shown until now; an adaptation that is running ends with
+    /// the rounds that it has made.
+    KeptAdaptation exchange(KeptAdaptation other);
     /// Fetches the newest progress. Called once per frame; returns true if it has changed.
     bool refresh() { return worker_.refresh(); }
     bool busy() const { return now().running; }

@@ -14,24 +14,69 @@
 namespace forefront {
 
 RunControl::RunControl(DocumentStore &document, MessageLog &log, BackgroundList &list)
-    : BackgroundActivity(list, NewsPace::WithMesh), document_(document), log_(log), session_(list.wake()),
-      snapshot_(session_.latest()), liveMeshing_(list, *this) {}
+    : BackgroundActivity(list, NewsPace::WithMesh), document_(document), log_(log),
+      run_(std::make_unique<DocumentRun>(list.wake(), numbers_)), liveMeshing_(list, *this) {}
+
+std::unique_ptr<DocumentRun> RunControl::exchange(std::unique_ptr<DocumentRun> other) {
+    if (playing()) {
+        run_->session.pause();
+    }
+    run_.swap(other);
+    if (!run_) {
+        run_ = std::make_unique<DocumentRun>(list().wake(), numbers_);
+    }
+    if (const auto resumed = std::exchange(run_->resumes, std::nullopt)) {
+        resume(*resumed);
+    }
+    return other;
+}
+
+std::unique_ptr<DocumentRun> RunControl::withoutMesh(const DocumentRun &run) const {
+    auto left = std::make_unique<DocumentRun>(list().wake(), numbers_);
+    const SessionSnapshot &last = *run.session.latest();
+    if (run.started && last.shownRun > 0) {
+        const bool rests = last.state == RunState::Paused && !last.atEnd();
+        left->resumes = ResumedRun{rests ? std::optional(last.position()) : std::nullopt, run.startedWith};
+    }
+    left->breakpoints = run.breakpoints;
+    left->session.stopAt(run.breakpoints);
+    left->opened = run.opened;
+    left->adapted = run.adapted;
+    left->openedUnit = run.openedUnit;
+    left->fields = run.fields;
+    return left;
+}
+
+/// Makes the mesh of a document again that was dropped while another one was shown.
+void RunControl::resume(const ResumedRun &resumed) {
+    if (run_->opened) {
+        return; // it is shown instead
+    }
+    if (resumed.document != document_.current()) {
+        log_.inform("The mesh of " + document_.title() +
+                    " was dropped to save memory, and the drawing has changed since; mesh it again");
+    } else if (resumed.position) {
+        startAt(*resumed.position);
+    } else {
+        start(StartMode::RunQuiet);
+    }
+}
 
 void RunControl::refresh() {
-    const bool busy = session_.busy(); // read before the snapshot: an idle worker has delivered its last one
-    snapshot_ = session_.latest();
-    cancelling_ = cancelling_ && busy;
-    const SessionSnapshot &s = *snapshot_;
-    const auto last = starts_.find(lastStart_);
-    const bool follows = s.run == lastStart_ || (last != starts_.end() && last->second.live);
+    const bool busy = run_->session.busy(); // read before the snapshot: an idle worker has delivered its last one
+    run_->snapshot = run_->session.latest();
+    run_->cancelling = run_->cancelling && busy;
+    const SessionSnapshot &s = *run_->snapshot;
+    const auto last = run_->starts.find(run_->lastStart);
+    const bool follows = s.run == run_->lastStart || (last != run_->starts.end() && last->second.live);
     if (follows && s.state != RunState::Preparing && s.shownRun > 0) {
-        starts_.erase(starts_.begin(), starts_.lower_bound(s.shownRun));
-        shown_ = starts_[s.shownRun]; // an earlier run if the last one was refused
+        run_->starts.erase(run_->starts.begin(), run_->starts.lower_bound(s.shownRun));
+        run_->shown = run_->starts[s.shownRun]; // an earlier run if the last one was refused
     }
-    if (s.run != loggedRun_ || s.state != loggedState_) {
+    if (s.run != run_->loggedRun || s.state != run_->loggedState) {
         log(s);
-        loggedRun_ = s.run;
-        loggedState_ = s.state;
+        run_->loggedRun = s.run;
+        run_->loggedState = s.state;
     }
 }
 
@@ -82,30 +127,30 @@ std::string previewText(const SessionSnapshot &s) {
 } // namespace
 
 void RunControl::log(const SessionSnapshot &s) {
-    const auto start = starts_.find(s.run);
-    const bool isLive = start != starts_.end() && start->second.live;
-    const bool refused = !s.diagnostics.empty() && (s.state == RunState::Failed || s.run != refusalLogged_);
+    const auto start = run_->starts.find(s.run);
+    const bool isLive = start != run_->starts.end() && start->second.live;
+    const bool refused = !s.diagnostics.empty() && (s.state == RunState::Failed || s.run != run_->refusalLogged);
     if (refused) {
-        refusalLogged_ = s.run;
+        run_->refusalLogged = s.run;
         if (isLive) {
-            liveResult_ = {{}, s.diagnostics, start->second.revision};
+            run_->liveResult = {{}, s.diagnostics, start->second.revision};
         } else {
-            log_.add(s.diagnostics, starts_[s.run].revision);
+            log_.add(s.diagnostics, run_->starts[s.run].revision);
         }
     } else if (s.shownRun != s.run) {
         // The previous mesh is already in the log.
-    } else if (s.state == RunState::Cancelled && loggedState_ != RunState::Cancelled) {
+    } else if (s.state == RunState::Cancelled && run_->loggedState != RunState::Cancelled) {
         log_.note(ui::format("Cancelled after %llu advances; you can step through the partial mesh",
                              static_cast<unsigned long long>(s.known)));
-    } else if (s.state == RunState::Finished && s.run != resultLogged_) {
-        resultLogged_ = s.run;
+    } else if (s.state == RunState::Finished && s.run != run_->resultLogged) {
+        run_->resultLogged = s.run;
         if (s.coarsening > 1.0) {
-            liveResult_ = {previewText(s), {}, start->second.revision};
+            run_->liveResult = {previewText(s), {}, start->second.revision};
         } else if (isLive) {
-            liveResult_ = {resultText(s), notesOf(s), start->second.revision};
+            run_->liveResult = {resultText(s), notesOf(s), start->second.revision};
         } else {
             log_.note(resultText(s));
-            logNotes(notesOf(s), starts_[s.run].revision);
+            logNotes(notesOf(s), run_->starts[s.run].revision);
         }
     }
 }
@@ -114,14 +159,14 @@ void RunControl::log(const SessionSnapshot &s) {
 /// differs in nothing else counts as the one before.
 std::uint64_t RunControl::meshRevision() const {
     const std::uint64_t revision = document_.revision();
-    if (revision != seenRevision_) {
+    if (revision != run_->seenRevision) {
         const std::shared_ptr<const Document> document = document_.current();
-        const auto known = meshRevisions_.find(revision);
+        const auto known = run_->meshRevisions.find(revision);
         bool same = false;
-        if (seen_ && !(seen_->limits == document->limits && seen_->picture == document->picture &&
-                       seen_->guides == document->guides && seen_->unit == document->unit &&
-                       seen_->constraints == document->constraints)) {
-            Document before = *seen_;
+        if (run_->seen && !(run_->seen->limits == document->limits && run_->seen->picture == document->picture &&
+                            run_->seen->guides == document->guides && run_->seen->unit == document->unit &&
+                            run_->seen->constraints == document->constraints)) {
+            Document before = *run_->seen;
             before.limits = document->limits;
             before.picture = document->picture;
             before.guides = document->guides;
@@ -129,37 +174,37 @@ std::uint64_t RunControl::meshRevision() const {
             before.constraints = document->constraints; // what they move is in the shapes
             same = sameContent(before, *document);
         }
-        meshRevision_ = known != meshRevisions_.end() ? known->second : same ? meshRevision_ : revision;
-        meshRevisions_[revision] = meshRevision_;
-        seen_ = document;
-        seenRevision_ = revision;
+        run_->meshRevision = known != run_->meshRevisions.end() ? known->second : same ? run_->meshRevision : revision;
+        run_->meshRevisions[revision] = run_->meshRevision;
+        run_->seen = document;
+        run_->seenRevision = revision;
     }
-    return meshRevision_;
+    return run_->meshRevision;
 }
 
 bool RunControl::liveMeshPending() const {
-    return live && !opened_ && (followed_ != meshRevision() || needsFullMesh());
+    return live && !run_->opened && (run_->followed != meshRevision() || needsFullMesh());
 }
 
 /// Returns true if the newest document has only a preview, or not even that because its boundary cannot be so coarse,
 /// and there is no reason not to make the full mesh.
 bool RunControl::needsFullMesh() const {
-    const auto last = starts_.find(lastStart_);
-    const bool previewed = last != starts_.end() && last->second.extent == Extent::Preview &&
-                           last->second.revision == meshRevision() && snapshot_->run == lastStart_;
-    const bool refused = !snapshot_->diagnostics.empty();
-    const bool tooLarge = !refused && snapshot_->requestedElements > kLargestLive;
+    const auto last = run_->starts.find(run_->lastStart);
+    const bool previewed = last != run_->starts.end() && last->second.extent == RunExtent::Preview &&
+                           last->second.revision == meshRevision() && run_->snapshot->run == run_->lastStart;
+    const bool refused = !run_->snapshot->diagnostics.empty();
+    const bool tooLarge = !refused && run_->snapshot->requestedElements > kLargestLive;
     return resting_ && previewed && (preview() || refused) && !tooLarge;
 }
 
 /// Returns true if the run in progress is not worth finishing once the document has changed: a full mesh that followed
 /// a preview, or one large enough to show its progress.
 bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) const {
-    const auto last = starts_.find(lastStart_);
-    const bool follows = last != starts_.end() && last->second.live && last->second.extent == Extent::Full;
+    const auto last = run_->starts.find(run_->lastStart);
+    const bool follows = last != run_->starts.end() && last->second.live && last->second.extent == RunExtent::Full;
     const bool large =
-        newest.run == lastStart_ && (newest.state == RunState::Running || newest.state == RunState::Improving ||
-                                     (newest.state == RunState::Preparing && !steps()));
+        newest.run == run_->lastStart && (newest.state == RunState::Running || newest.state == RunState::Improving ||
+                                          (newest.state == RunState::Preparing && !steps()));
     return follows || (large && gestureOver);
 }
 
@@ -167,13 +212,13 @@ bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) co
 /// in its course.
 bool RunControl::keepsPosition(const SessionSnapshot &newest) const {
     const bool underWay =
-        newest.run == lastStart_ && newest.state == RunState::Paused && newest.known > 0 && !newest.atEnd();
+        newest.run == run_->lastStart && newest.state == RunState::Paused && newest.known > 0 && !newest.atEnd();
     const Document &now = *document_.current();
-    if (!underWay || !startedWith_ || startedWith_->options.rules == now.options.rules ||
+    if (!underWay || !run_->startedWith || run_->startedWith->options.rules == now.options.rules ||
         newest.requestedElements > liveBudget) {
         return false;
     }
-    Document before = *startedWith_;
+    Document before = *run_->startedWith;
     before.options.rules = now.options.rules;
     before.limits = now.limits;
     before.picture = now.picture;
@@ -181,29 +226,29 @@ bool RunControl::keepsPosition(const SessionSnapshot &newest) const {
 }
 
 void RunControl::startLiveMesh() {
-    if (const auto newest = session_.latest(); keepsPosition(*newest)) {
+    if (const auto newest = run_->session.latest(); keepsPosition(*newest)) {
         startAt(newest->advance);
-    } else if (followed_ == meshRevision()) {
-        start(StartMode::RunQuiet, Extent::Full);
+    } else if (run_->followed == meshRevision()) {
+        start(StartMode::RunQuiet, RunExtent::Full);
     } else if (!document_.current()->shapes.empty()) {
-        start(StartMode::RunQuiet, Extent::Preview);
+        start(StartMode::RunQuiet, RunExtent::Preview);
     }
-    followed_ = meshRevision();
+    run_->followed = meshRevision();
 }
 
 void RunControl::follow(bool gestureOver, bool faulty) {
     gestureOver_ = gestureOver;
     resting_ = gestureOver && !faulty;
-    if (liveMeshPending() && (!session_.busy() || replaceable(*session_.latest(), gestureOver))) {
+    if (liveMeshPending() && (!run_->session.busy() || replaceable(*run_->session.latest(), gestureOver))) {
         startLiveMesh();
     }
-    if (gestureOver && !session_.busy() && liveResult_ && liveResult_->revision == meshRevision()) {
+    if (gestureOver && !run_->session.busy() && run_->liveResult && run_->liveResult->revision == meshRevision()) {
         logLive(faulty);
     }
 }
 
 void RunControl::logLive(bool faulty) {
-    const LiveResult result = *std::exchange(liveResult_, std::nullopt);
+    const LiveResult result = *std::exchange(run_->liveResult, std::nullopt);
     if (!result.note.empty()) {
         log_.note(result.note, "live mesh of step " + document_.step());
         logNotes(result.diagnostics, result.revision);
@@ -217,16 +262,16 @@ void RunControl::logNotes(const Diagnostics &notes, std::uint64_t revision) {
     for (const Diagnostic &note : notes) {
         text += toString(note) + '\n';
     }
-    if (text != notesLogged_) { // a live mesh would repeat them with every change
+    if (text != run_->notesLogged) { // a live mesh would repeat them with every change
         log_.add(notes, revision);
-        notesLogged_ = std::move(text);
+        run_->notesLogged = std::move(text);
     }
 }
 
 void RunControl::want(SnapshotLayers layers) {
-    if (wanted_ != layers) { // a command in every frame would keep the worker busy
-        wanted_ = layers;
-        session_.want(layers);
+    if (run_->wanted != layers) { // a command in every frame would keep the worker busy
+        run_->wanted = layers;
+        run_->session.want(layers);
     }
 }
 
@@ -251,7 +296,7 @@ FileMesh fileMeshOf(MeshFields read) {
 
 void RunControl::showFile(FileMesh read) {
     clear();
-    fields_ = std::move(read.fields);
+    run_->fields = std::move(read.fields);
     read.view->version = (std::uint64_t{1} << 63) + ++openedCount_; // unlike those of runs
     auto opened = std::make_shared<SessionSnapshot>();
     opened->state = RunState::Finished;
@@ -259,15 +304,15 @@ void RunControl::showFile(FileMesh read) {
     opened->quality = read.quality;
     opened->meshHash = read.hash;
     opened->mesh = std::move(read.view);
-    opened_ = std::move(opened);
-    adapted_ = false;
-    openedUnit_ = LengthUnit::None;
+    run_->opened = std::move(opened);
+    run_->adapted = false;
+    run_->openedUnit = LengthUnit::None;
 }
 
 void RunControl::showAdapted(MeshFields made) {
     showFile(std::move(made));
-    adapted_ = true;
-    openedUnit_ = document_.current()->unit;
+    run_->adapted = true;
+    run_->openedUnit = document_.current()->unit;
 }
 
 MeshingJob RunControl::job() const {
@@ -276,31 +321,33 @@ MeshingJob RunControl::job() const {
 
 void RunControl::startAt(std::uint64_t advance) {
     startRun(StartMode::Pause,
-             {meshRevision(), document_.current()->options.method, true, Extent::Full, document_.current()->unit},
+             {meshRevision(), document_.current()->options.method, true, RunExtent::Full, document_.current()->unit},
              advance);
 }
 
-void RunControl::start(StartMode mode, Extent extent) {
+void RunControl::start(StartMode mode, RunExtent extent) {
     startRun(mode,
              {meshRevision(), document_.current()->options.method, mode == StartMode::RunQuiet, extent,
               document_.current()->unit},
              0);
 }
 
-void RunControl::startRun(StartMode mode, const Start &start, std::uint64_t advance) {
-    opened_.reset();
-    fields_.reset();
-    cancelling_ = false;
+void RunControl::startRun(StartMode mode, const RunStart &start, std::uint64_t advance) {
+    run_->opened.reset();
+    run_->fields.reset();
+    run_->cancelling = false;
     MeshingJob whole = job();
     whole.shared = document_.spacing();
-    session_.start(std::make_shared<const MeshingJob>(std::move(whole)), mode,
-                   start.extent == Extent::Preview ? liveBudget : std::numeric_limits<double>::infinity(), advance);
-    started_ = true;
-    followed_ = meshRevision();
-    startedWith_ = document_.current();
-    starts_[++lastStart_] = start;
+    run_->session.start(std::make_shared<const MeshingJob>(std::move(whole)), mode,
+                        start.extent == RunExtent::Preview ? liveBudget : std::numeric_limits<double>::infinity(),
+                        advance);
+    run_->started = true;
+    run_->followed = meshRevision();
+    run_->startedWith = document_.current();
+    run_->lastStart = numbers_->last;
+    run_->starts[run_->lastStart] = start;
     if (!start.live) {
-        shown_ = start; // a live run keeps showing the previous mesh until it is finished
+        run_->shown = start; // a live run keeps showing the previous mesh until it is finished
     }
 }
 
@@ -321,7 +368,7 @@ bool RunControl::beginMove() {
         log_.refuse(kNotStepped);
         return false;
     }
-    if (!hasRun() || !snapshot_->stepped) {
+    if (!hasRun() || !run_->snapshot->stepped) {
         start(StartMode::Pause);
     }
     return true;
@@ -333,7 +380,7 @@ void RunControl::mesh() {
 
 void RunControl::togglePlay() {
     if (playing()) {
-        session_.pause();
+        run_->session.pause();
         return;
     }
     if (!steps()) {
@@ -341,28 +388,28 @@ void RunControl::togglePlay() {
         return;
     }
     startIfNeeded();
-    session_.play(speed_ * kAdvancesPerSecond);
+    run_->session.play(speed_ * kAdvancesPerSecond);
 }
 
 void RunControl::step(Granularity granularityOfStep, std::int64_t n) {
     if (!beginMove()) {
         return;
     }
-    session_.step(granularityOfStep, n);
+    run_->session.step(granularityOfStep, n);
 }
 
 void RunControl::seek(std::uint64_t position) {
     if (!beginMove()) {
         return;
     }
-    session_.seek(position);
+    run_->session.seek(position);
 }
 
 void RunControl::seekEnd() {
     if (!beginMove()) {
         return;
     }
-    session_.finish();
+    run_->session.finish();
 }
 
 void RunControl::seekStop(bool forward) {
@@ -371,7 +418,7 @@ void RunControl::seekStop(bool forward) {
         return;
     }
     startIfNeeded();
-    session_.seekStop(forward);
+    run_->session.seekStop(forward);
 }
 
 void RunControl::seekBirth(Vec2 place, double tolerance) {
@@ -380,32 +427,32 @@ void RunControl::seekBirth(Vec2 place, double tolerance) {
         return;
     }
     startIfNeeded();
-    session_.seekBirth(place, tolerance);
+    run_->session.seekBirth(place, tolerance);
 }
 
 void RunControl::setBreakpoints(const Breakpoints &breakpoints) {
-    if (!(breakpoints == breakpoints_)) {
-        breakpoints_ = breakpoints;
-        session_.stopAt(breakpoints_);
+    if (!(breakpoints == run_->breakpoints)) {
+        run_->breakpoints = breakpoints;
+        run_->session.stopAt(run_->breakpoints);
     }
 }
 
 void RunControl::cancel() {
-    cancelling_ = session_.busy();
-    session_.cancel();
+    run_->cancelling = run_->session.busy();
+    run_->session.cancel();
 }
 
 void RunControl::clear() {
-    session_.clear();
-    seen_.reset(); // a document opened next is meshed even if it differs in nothing that the mesh depends on
-    opened_.reset();
-    fields_.reset();
-    started_ = cancelling_ = false;
-    liveResult_.reset();
+    run_->session.clear();
+    run_->seen.reset(); // a document opened next is meshed even if it differs in nothing that the mesh depends on
+    run_->opened.reset();
+    run_->fields.reset();
+    run_->started = run_->cancelling = false;
+    run_->liveResult.reset();
 }
 
 bool RunControl::playing() const {
-    return snapshot_->state == RunState::Running;
+    return run_->snapshot->state == RunState::Running;
 }
 
 /// Returns true if the drawing has no shapes left, so that the mesh shows a deleted drawing.
@@ -414,27 +461,30 @@ bool RunControl::drawingIsEmpty() const {
 }
 
 bool RunControl::hasRun() const {
-    return started_ && snapshot_->state != RunState::Failed && !drawingIsEmpty();
+    return run_->started && run_->snapshot->state != RunState::Failed && !drawingIsEmpty();
 }
 
 bool RunControl::outOfDate() const {
-    const bool catchesUp = live && (liveMeshPending() || session_.busy() || hasNews() || (!gestureOver_ && preview()));
-    return started_ && !drawingIsEmpty() && (shown_.revision != meshRevision() || preview()) && !catchesUp;
+    const bool catchesUp =
+        live && (liveMeshPending() || run_->session.busy() || hasNews() || (!gestureOver_ && preview()));
+    return run_->started && !drawingIsEmpty() && (run_->shown.revision != meshRevision() || preview()) && !catchesUp;
 }
 
 LengthUnit RunControl::shownUnit() const {
     // A unit chosen afterwards is that of the mesh, too, unless the drawing was scaled.
-    return opened_ ? openedUnit_ : shown_.revision == meshRevision() ? document_.current()->unit : shown_.unit;
+    return run_->opened                             ? run_->openedUnit
+           : run_->shown.revision == meshRevision() ? document_.current()->unit
+                                                    : run_->shown.unit;
 }
 
 Method RunControl::method() const {
-    return hasRun() ? shown_.method : document_.current()->options.method;
+    return hasRun() ? run_->shown.method : document_.current()->options.method;
 }
 
 void RunControl::setSpeed(double factor) {
     speed_ = std::clamp(factor, kSlowest, kFastest);
     if (playing()) {
-        session_.play(speed_ * kAdvancesPerSecond);
+        run_->session.play(speed_ * kAdvancesPerSecond);
     }
 }
 

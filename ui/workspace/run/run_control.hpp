@@ -5,6 +5,7 @@
 #include "core/engine/session/meshing_session.hpp"
 #include "ui/background/background_list.hpp"
 #include "ui/workspace/mesh/file_fields.hpp"
+#include "ui/workspace/run/document_run.hpp"
 
 #include <cstdint>
 #include <map>
@@ -45,6 +46,12 @@ class RunControl final : public BackgroundActivity {
 
     RunControl(DocumentStore &document, MessageLog &log, BackgroundList &list);
 
+    /// Shows the run of another document, once that is the one of the store; null: it has none yet. Returns the run
+    /// shown until now. If it plays, it pauses; if it makes a mesh at full speed, it goes on.
+    std::unique_ptr<DocumentRun> exchange(std::unique_ptr<DocumentRun> other);
+    /// Returns what is left of a run in the background without its mesh, which exchange() makes again.
+    std::unique_ptr<DocumentRun> withoutMesh(const DocumentRun &run) const;
+
     /// Fetches the newest snapshot and logs what the run reports. Called once per frame.
     void refresh();
     /// Keeps the mesh up to date with the document while `live`: the current run is finished and shown, then the newest
@@ -56,29 +63,29 @@ class RunControl final : public BackgroundActivity {
     /// Returns true if live meshing has yet to start a mesh of the newest document, or its full mesh after a preview.
     bool liveMeshPending() const;
     /// Returns true if live meshing can do that now, since the worker is idle.
-    bool canFollow() const { return liveMeshPending() && !session_.busy(); }
+    bool canFollow() const { return liveMeshPending() && !run_->session.busy(); }
     /// Returns true if the mesh shown is a preview, coarser than the document asks for.
-    bool preview() const { return snapshot_->coarsening > 1.0; }
+    bool preview() const { return run_->snapshot->coarsening > 1.0; }
     /// Returns true if a newer snapshot is waiting.
-    bool hasNews() const override { return session_.latest() != snapshot_; }
+    bool hasNews() const override { return run_->session.latest() != run_->snapshot; }
     /// Returns the snapshot of this frame; it does not change within a frame.
     const SessionSnapshot &now() const { return *snapshot(); }
     /// Returns the snapshot to show. For an empty drawing this is an empty one; undoing the deletion brings the mesh
     /// back.
     const std::shared_ptr<const SessionSnapshot> &snapshot() const {
-        return opened_ ? opened_ : drawingIsEmpty() ? empty_ : snapshot_;
+        return run_->opened ? run_->opened : drawingIsEmpty() ? empty_ : run_->snapshot;
     }
     /// Shows a mesh that was read from a file, with its values, until a run starts.
     void showFile(FileMesh read);
     void showFile(MeshFields read) { showFile(fileMeshOf(std::move(read))); }
     /// Returns the values of the mesh shown, one for each of its nodes or elements; null if there are none.
-    std::shared_ptr<const FileFields> fields() const { return opened_ ? fields_ : nullptr; }
+    std::shared_ptr<const FileFields> fields() const { return run_->opened ? run_->fields : nullptr; }
     /// Shows a mesh of a round of adaptive refinement in the same way.
     void showAdapted(MeshFields made);
     /// Returns true if the mesh shown has no front to step through: it was read from a file, or made by Adapt.
-    bool showsFile() const { return opened_ != nullptr; }
+    bool showsFile() const { return run_->opened != nullptr; }
     /// Returns true if the mesh shown was made by Adapt.
-    bool showsAdapted() const { return showsFile() && adapted_; }
+    bool showsAdapted() const { return showsFile() && run_->adapted; }
     void want(SnapshotLayers layers);
 
     /// Returns true if runs of the document can be stepped. If not, moves along the timeline are refused in the log.
@@ -103,27 +110,27 @@ class RunControl final : public BackgroundActivity {
     void seekStop(bool forward);
     /// Moves to the advance that made the part within `tolerance` of `place`, see MeshingSession::seekBirth().
     void seekBirth(Vec2 place, double tolerance);
-    const Breakpoints &breakpoints() const { return breakpoints_; }
+    const Breakpoints &breakpoints() const { return run_->breakpoints; }
     void setBreakpoints(const Breakpoints &breakpoints);
     void cancel();
     void clear();
     /// Returns true while a cancelled run has not delivered its result: the worker stops at once, but copying and
     /// drawing a partial mesh of millions of elements takes time.
-    bool cancelling() const { return cancelling_; }
+    bool cancelling() const { return run_->cancelling; }
 
     /// Returns true while a command is pending or the worker is busy.
-    bool busy() const { return session_.busy(); }
+    bool busy() const { return run_->session.busy(); }
     bool working() const override { return busy(); }
     bool playing() const;
     bool hasRun() const;
     /// Returns true if the document has changed since the run started and live meshing will not catch up by itself.
     bool outOfDate() const;
     /// Returns the revision of the document whose mesh is shown.
-    std::uint64_t shownRevision() const { return shown_.revision; }
+    std::uint64_t shownRevision() const { return run_->shown.revision; }
     /// Returns the unit of length of the mesh shown: that of the document it was made from; none for one from a file.
     LengthUnit shownUnit() const;
     /// Returns the revision of the document that live meshing last started a mesh of, or decided not to mesh.
-    std::uint64_t followedRevision() const { return followed_; }
+    std::uint64_t followedRevision() const { return run_->followed; }
     /// Returns the revision of the document, or an earlier one whose mesh is the same.
     std::uint64_t meshRevision() const;
     /// Returns the method of the run, or of the document if there is no run.
@@ -140,18 +147,6 @@ class RunControl final : public BackgroundActivity {
     static constexpr double kLargestLive = 2e6;
 
   private:
-    /// The extent of a run for live meshing: a preview, or the full mesh that the document asks for.
-    enum class Extent : std::uint8_t { Preview, Full };
-
-    /// The document revision and options that a run was started with.
-    struct Start {
-        std::uint64_t revision = 0;
-        Method method = Method::Fast;
-        bool live = false;
-        Extent extent = Extent::Full;
-        LengthUnit unit = LengthUnit::None;
-    };
-
     /// Live meshing, which the window must not miss while the worker is idle.
     class LiveMeshing final : public BackgroundActivity {
       public:
@@ -164,10 +159,11 @@ class RunControl final : public BackgroundActivity {
     };
 
     bool drawingIsEmpty() const;
-    void start(StartMode mode, Extent extent = Extent::Full);
+    void start(StartMode mode, RunExtent extent = RunExtent::Full);
+    void resume(const ResumedRun &resumed);
     /// Starts a run that waits after a number of advances.
     void startAt(std::uint64_t advance);
-    void startRun(StartMode mode, const Start &start, std::uint64_t advance);
+    void startRun(StartMode mode, const RunStart &start, std::uint64_t advance);
     void startLiveMesh();
     bool keepsPosition(const SessionSnapshot &newest) const;
     bool replaceable(const SessionSnapshot &newest, bool gestureOver) const;
@@ -182,42 +178,14 @@ class RunControl final : public BackgroundActivity {
 
     DocumentStore &document_;
     MessageLog &log_;
-    MeshingSession session_;
-    std::optional<SnapshotLayers> wanted_; ///< snapshot layers last requested from the session
-    Breakpoints breakpoints_;
-    std::shared_ptr<const SessionSnapshot> snapshot_;
+    std::shared_ptr<RunNumbers> numbers_ = std::make_shared<RunNumbers>(); ///< of the runs of all documents
+    std::unique_ptr<DocumentRun> run_;                                     ///< of the document; never null
     const std::shared_ptr<const SessionSnapshot> empty_ = std::make_shared<const SessionSnapshot>();
-    std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file or of Adapt; null: the run's mesh is shown
-    bool adapted_ = false;                          ///< opened_ was made by Adapt
-    LengthUnit openedUnit_ = LengthUnit::None;
-    std::shared_ptr<const FileFields> fields_; ///< values of that mesh; null: none
     std::uint64_t openedCount_ = 0;
-    /// The result of the last live run; logged when the gesture is over.
-    struct LiveResult {
-        std::string note;        ///< empty: refused
-        Diagnostics diagnostics; ///< why it was refused, or notes on the spacing
-        std::uint64_t revision = 0;
-    };
-    std::map<std::uint64_t, Start> starts_; ///< by run number, from the one shown to the last
-    std::uint64_t lastStart_ = 0;
-    std::shared_ptr<const Document> startedWith_; ///< the document of the last run; null: none
-    Start shown_;
-    std::uint64_t refusalLogged_ = 0; ///< run number
-    std::string notesLogged_;         ///< the last notes on the spacing, as text
-    std::uint64_t followed_ = 0;      ///< newest revision that live meshing has started or skipped
-    bool resting_ = false;            ///< no gesture is under way, and the drawing has no faults
+    bool resting_ = false; ///< no gesture is under way, and the drawing has no faults
     bool gestureOver_ = false;
-    std::optional<LiveResult> liveResult_;
-    bool started_ = false;
-    bool cancelling_ = false;
     double speed_ = 1.0;
-    mutable std::shared_ptr<const Document> seen_; ///< the document of the last call of meshRevision()
-    mutable std::uint64_t seenRevision_ = 0, meshRevision_ = 0;
-    mutable std::map<std::uint64_t, std::uint64_t> meshRevisions_; ///< by document revision
     LiveMeshing liveMeshing_;
-    std::uint64_t loggedRun_ = 0;
-    std::uint64_t resultLogged_ = 0; ///< the last run whose result was logged
-    RunState loggedState_ = RunState::Empty;
 };
 
 } // namespace forefront

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+
+namespace forefront {
+
+class ActionRegistry;
+struct Shell;
+
+// The commands on the tabs of a window; see DocumentTabs. They report faults in the log.
+
+/// Opens a tab with an empty drawing.
+void newTab(Shell &context);
+/// Makes room for a document that is to be opened beside the others: a new tab, unless the document shown is as good as
+/// none.
+void freshTab(Shell &context);
+/// Asks for a file and opens it in a tab of its own.
+void openInTab(Shell &context);
+/// Opens a file in a tab of its own, or shows the tab where it is open.
+void openInTab(Shell &context, const std::filesystem::path &file);
+/// Shows a tab.
+void showTab(Shell &context, std::size_t tab);
+/// Shows the tab whose document has this file. Returns false if there is none.
+bool showTabOf(Shell &context, const std::filesystem::path &file);
+/// Closes a tab after asking whether to save its unsaved changes. The last one becomes an empty drawing.
+void closeTab(Shell &context, std::size_t tab);
+/// Runs `then` after asking whether to save the unsaved changes of each tab in turn.
+void afterAllUnsaved(Shell &context, std::function<void(Shell &)> then);
+/// Opens the files that wait for it, and limits the memory of tabs in the background. Called once per frame.
+void followTabs(Shell &context);
+/// Registers the actions of tabs.
+void addTabActions(ActionRegistry &actions);
+
+} // namespace forefront
