@@ -1,4 +1,5 @@
 #include "app/batch/cli_options.hpp"
+#include "app/batch/coast_notes.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/estimate_report.hpp"
@@ -114,6 +115,7 @@ Diagnostics writeResults(const MeshArguments &arguments, const MeshForm &form, c
         }
         elevations = std::move(*read);
         mesh.elevations = elevations;
+        printFaults(dryElevations(elevations, pairFormats(arguments.outputs, arguments.formats)));
     }
     FileSet files;
     Diagnostics notes = writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, form, progress);
@@ -154,6 +156,8 @@ void printRemarks(const MeshArguments &arguments, const MeshingOutcome &outcome,
         printFaults(outcome.spacing->notes());
         printFaults(unusedOptions(arguments, job, *outcome.spacing));
     }
+    printFaults(dryPresets(arguments.presets, job.spacing, outcome.mesh));
+    printFaults(openShore(arguments.presets, arguments.form.open));
     printFaults(violatedLimits(outcome.mesh, limits, outcome.spacing.get()));
     printFaults(largeElements(outcome.mesh, job.domain, job.spacing.placed.regions));
 }

@@ -472,6 +472,25 @@ class Meshing(Case):
         self.call("mesh", "coast.geojson", "--allow-degrees", "-o", "c.14", "--open", "sea", "--name", self.SEA)
         self.assertEqual(self.read("b.14"), self.read("c.14"))
 
+    def test_depths_with_the_wrong_sign_and_open_shores_are_warned_of(self):
+        self.write("bay.poly", "4 2 0 1\n1 0 0 1\n2 9 0 1\n3 9 9 1\n4 0 9 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 1\n4 4 1 1\n0\n")
+        self.write("bed.asc", "ncols 12\nnrows 12\nxllcorner -1\nyllcorner -1\ncellsize 1\n" + "-5 " * 144)
+        rule = "wavelength:{}=bed,period=1,elements=5,max=2"
+        for key, warned in (("depth", True), ("elevation", False)):
+            done = self.call("mesh", "bay.poly", "-o", "a.14", "--raster", "bed=bed.asc", "--size-preset", rule.format(key),
+                             "--elevation", "bed.asc")
+            self.assertEqual("[dry-domain]" in done.stderr, warned, done.stderr)
+            self.assertEqual("write elevation=bed" in done.stderr, warned, done.stderr)
+            self.assertNotIn("[dry-elevations]", done.stderr)
+        done = self.call("mesh", "bay.poly", "-o", "a.14", "--size", "3", "--elevation", "5+x/100")
+        self.assertIn("[dry-elevations]", done.stderr)
+        done = self.call("mesh", "bay.poly", "-o", "a.msh", "--size", "3", "--elevation", "5+x/100")
+        self.assertNotIn("[dry-elevations]", done.stderr)  # not a file of depths
+        for part, warned in (("", True), (",part=boundary_1", False)):
+            done = self.call("mesh", "bay.poly", "-o", "a.14", "--open", "boundary_2", "--size-preset",
+                             "shore:size=1,growth=0.2" + part)
+            self.assertEqual("[open-shore]" in done.stderr, warned, done.stderr)
+
     def test_names_that_cannot_be_placed_are_refused(self):
         self.write("coast.geojson", json.dumps(self.COAST))
         for value, code, message in (("sea", 2, "expected NAME:X1,Y1;X2,Y2"), ("sea:1,2;3", 2, "expected NAME:X1,Y1;X2,Y2"),

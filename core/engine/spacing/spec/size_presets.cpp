@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -120,7 +121,13 @@ std::string readKeys(const SizePreset &preset, std::string_view text, Keys &keys
     return {};
 }
 
-Result<std::string> expressionOf(const std::string &rule) {
+/// A rule that was read.
+struct ReadRule {
+    const SizePreset *preset = nullptr;
+    Keys keys;
+};
+
+Result<ReadRule> readRule(const std::string &rule) {
     const std::size_t colon = std::min(rule.find(':'), rule.size());
     const auto preset = std::find_if(kPresets.begin(), kPresets.end(), [&](const SizePreset &each) {
         return each.word == std::string_view(rule).substr(0, colon);
@@ -128,13 +135,19 @@ Result<std::string> expressionOf(const std::string &rule) {
     if (preset == kPresets.end()) {
         return wrongPreset(rule, "unknown rule; expected wavelength, slope or shore");
     }
-    Keys keys;
-    const std::string wrong =
-        readKeys(*preset, colon < rule.size() ? std::string_view(rule).substr(colon + 1) : std::string_view(), keys);
-    if (!wrong.empty()) {
-        return wrongPreset(rule, wrong);
+    ReadRule read{&*preset, {}};
+    const std::string wrong = readKeys(
+        *preset, colon < rule.size() ? std::string_view(rule).substr(colon + 1) : std::string_view(), read.keys);
+    return wrong.empty() ? Result<ReadRule>(std::move(read)) : wrongPreset(rule, wrong);
+}
+
+Result<std::string> expressionOf(const std::string &rule) {
+    const Result<ReadRule> read = readRule(rule);
+    if (!read) {
+        return read.faults();
     }
-    std::string text = preset->expression(keys);
+    const Keys &keys = read->keys;
+    std::string text = read->preset->expression(keys);
     if (keys.contains("max")) {
         text = "min(" + text + ", " + keys.at("max") + ")";
     }
@@ -158,9 +171,27 @@ Result<std::string> presetExpression(std::span<const std::string> rules) {
     return rules.size() > 1 ? "min(" + all + ")" : all;
 }
 
+std::vector<PresetDepth> presetDepths(std::span<const std::string> rules) {
+    std::vector<PresetDepth> depths;
+    for (const std::string &rule : rules) {
+        if (const Result<ReadRule> read = readRule(rule); read && read->preset->raster) {
+            depths.push_back({rule, rasterName(read->keys), !read->keys.contains("depth")});
+        }
+    }
+    return depths;
+}
+
+bool countsAllAsShore(std::span<const std::string> rules) {
+    return std::any_of(rules.begin(), rules.end(), [](const std::string &rule) {
+        const Result<ReadRule> read = readRule(rule);
+        return read && read->preset->word == "shore" && !read->keys.contains("part");
+    });
+}
+
 std::string sizePresetHelp() {
     return "wavelength:depth=NAME,period=SECONDS,elements=N; slope:depth=NAME,elements=N,max=H; "
-           "shore:size=H,growth=G[,part=NAME]; each with min=H, max=H; elevation=NAME in place of depth=NAME";
+           "shore:size=H,growth=G[,part=NAME], without a part from the whole boundary; each with min=H, max=H; "
+           "elevation=NAME in place of depth=NAME; least=D, the least depth that counts (default 1)";
 }
 
 } // namespace forefront

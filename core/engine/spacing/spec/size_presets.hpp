@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace FOREFRONT_API forefront {
 
@@ -22,6 +23,17 @@ namespace FOREFRONT_API forefront {
 ///
 /// Error: bad-preset, with the rule, the key and what was expected.
 Result<std::string> presetExpression(std::span<const std::string> rules);
+
+/// The depth that a rule takes its sizes from.
+struct PresetDepth {
+    std::string rule;   ///< as it was written
+    std::string raster; ///< name
+    bool negative;      ///< the raster has elevations: the depth is its value with the other sign
+};
+/// Returns the depths of valid rules, in order.
+std::vector<PresetDepth> presetDepths(std::span<const std::string> rules);
+/// Returns true if one of some valid rules counts the whole boundary as shore, open parts too.
+bool countsAllAsShore(std::span<const std::string> rules);
 
 /// Returns the rules with their keys, for help texts.
 std::string sizePresetHelp();

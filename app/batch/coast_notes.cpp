@@ -1,0 +1,67 @@
+#include "app/batch/coast_notes.hpp"
+
+#include "app/batch/output_formats.hpp"
+#include "core/engine/spacing/spec/size_presets.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace forefront {
+
+namespace {
+
+/// The part of the nodes, in per cent, above which a domain counts as dry.
+constexpr std::size_t kDryPercent = 90;
+
+Diagnostics warning(const char *code, std::string message, std::string advice) {
+    Diagnostics faults = error(code, std::move(message), std::move(advice));
+    faults.front().severity = Severity::Warning;
+    return faults;
+}
+
+} // namespace
+
+Diagnostics dryPresets(std::span<const std::string> presets, const SpacingSpec &spacing, const MeshView &mesh) {
+    Diagnostics warnings;
+    for (const PresetDepth &depth : presetDepths(presets)) {
+        const auto raster = spacing.rasters.find(depth.raster);
+        if (raster == spacing.rasters.end() || mesh.nodes.empty()) {
+            continue;
+        }
+        const auto dry = static_cast<std::size_t>(std::count_if(mesh.nodes.begin(), mesh.nodes.end(), [&](Vec2 node) {
+            return !((depth.negative ? -1.0 : 1.0) * raster->second->at(node) > 0.0);
+        }));
+        const std::size_t percent = 100 * dry / mesh.nodes.size();
+        if (percent >= kDryPercent) {
+            const std::string other = (depth.negative ? "depth=" : "elevation=") + depth.raster;
+            const Diagnostics one = warning("dry-domain",
+                                            "--size-preset " + depth.rule + ": " + std::to_string(percent) +
+                                                " % of the nodes are above the sea; their sizes are those of the "
+                                                "least depth",
+                                            "if the raster has the other sign, write " + other);
+            warnings.insert(warnings.end(), one.begin(), one.end());
+        }
+    }
+    return warnings;
+}
+
+Diagnostics openShore(std::span<const std::string> presets, std::span<const std::string> open) {
+    if (open.empty() || !countsAllAsShore(presets)) {
+        return {};
+    }
+    return warning("open-shore", "--size-preset shore: elements are small along the open boundary, too",
+                   "add part=NAME with the part of the boundary that is the shore");
+}
+
+Diagnostics dryElevations(std::span<const double> elevations, const std::vector<Output> &outputs) {
+    const bool dry = !elevations.empty() && std::all_of(elevations.begin(), elevations.end(),
+                                                        [](double elevation) { return elevation > 0.0; });
+    if (!dry || !anyHas(outputs, &FileFormat::hasOpenBoundaries)) {
+        return {};
+    }
+    return warning("dry-elevations", "all elevations are above 0, so that all depths are negative",
+                   "if the values are depths, change their sign");
+}
+
+} // namespace forefront

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/batch/outputs.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+// Warnings of sizes and depths of coastal meshes that are probably not what was meant.
+
+/// Warns of rules of --size-preset whose depth is above the sea at nearly all nodes of the mesh: "dry-domain".
+Diagnostics dryPresets(std::span<const std::string> presets, const SpacingSpec &spacing, const MeshView &mesh);
+
+/// Warns if a rule of --size-preset counts open parts of the boundary as shore: "open-shore".
+Diagnostics openShore(std::span<const std::string> presets, std::span<const std::string> open);
+
+/// Warns if all elevations are above the sea and an output is a file of depths: "dry-elevations".
+Diagnostics dryElevations(std::span<const double> elevations, const std::vector<Output> &outputs);
+
+} // namespace forefront
