@@ -1,39 +1,15 @@
 #include "app/batch/mapped_option.hpp"
 
-#include "core/files/common/names.hpp"
+#include "app/batch/region_names.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <map>
 #include <optional>
 #include <string_view>
 
 namespace forefront {
 
 namespace {
-
-/// Returns the names of the regions of a domain; faces without a marker have the tag 1.
-std::map<std::int32_t, std::string> regionsOf(const Domain &domain) {
-    std::map<std::int32_t, std::string> names{{1, regionName(domain.regionNames, 1)}};
-    for (const RegionMarker &marker : domain.regionMarkers) {
-        names.try_emplace(marker.tag, regionName(domain.regionNames, marker.tag));
-    }
-    return names;
-}
-
-std::optional<std::int32_t> findRegion(const std::map<std::int32_t, std::string> &regions, std::string_view name) {
-    for (const auto &[tag, own] : regions) {
-        if (own == name) {
-            return tag;
-        }
-    }
-    for (const auto &[tag, own] : regions) {
-        if (regionName({}, tag) == name) {
-            return tag;
-        }
-    }
-    return std::nullopt;
-}
 
 std::optional<double> coordinate(std::string_view text) {
     double value = 0.0;
@@ -73,10 +49,10 @@ void addMappedOption(CLI::App &app, std::vector<std::string> &texts) {
 }
 
 Diagnostics applyMapped(const std::vector<std::string> &texts, MeshingJob &job) {
-    const std::map<std::int32_t, std::string> regions = regionsOf(job.domain);
+    const RegionNames regions(job.domain);
     for (const std::string &text : texts) {
         MappedSpec spec;
-        std::optional<std::int32_t> tag = findRegion(regions, text);
+        std::optional<std::int32_t> tag = regions.find(text);
         if (const std::size_t colon = text.rfind(':'); !tag && colon != std::string::npos) {
             const auto corners = places(std::string_view(text).substr(colon + 1));
             if (!corners || corners->empty()) {
@@ -85,16 +61,10 @@ Diagnostics applyMapped(const std::vector<std::string> &texts, MeshingJob &job) 
                                                "plate:0,0;4,0;4,1;0,1");
             }
             spec.corners = *corners;
-            tag = findRegion(regions, std::string_view(text).substr(0, colon));
+            tag = regions.find(std::string_view(text).substr(0, colon));
         }
         if (!tag) {
-            constexpr std::size_t kListed = 20;
-            std::vector<std::string> names;
-            for (const auto &[region, name] : regions) {
-                names.push_back(name);
-            }
-            return error("unknown-region", "--mapped: unknown region " + text,
-                         "expected one of " + listed(names, kListed));
+            return regions.unknown("--mapped", text);
         }
         spec.region = *tag;
         std::erase_if(job.mapped, [&](const MappedSpec &own) { return own.region == spec.region; });

@@ -169,7 +169,6 @@ Diagnostics applyOptions(const MeshArguments &arguments, MeshingOptions &options
     }
     options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
     options.verify = arguments.verify;
-    options.elements = arguments.elements.value_or(options.elements);
     options.order = arguments.order.value_or(options.order);
     options.quadNodes = arguments.quadNodes.value_or(options.quadNodes);
     if (arguments.leastAngle) {
@@ -196,7 +195,9 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
     } else if (arguments.curveTolerance && job.options.keepBoundary) {
         add("--curve-tolerance", "the given segments are kept");
     }
-    if (job.options.elements != Elements::Triangles) {
+    const auto hasQuads = [](const RegionElements &own) { return own.elements != Elements::Triangles; };
+    const auto hasTriangles = [](const RegionElements &own) { return own.elements == Elements::Triangles; };
+    if (job.options.elements != Elements::Triangles && std::ranges::none_of(job.regionElements, hasTriangles)) {
         if (arguments.method) {
             add("--method", "quadrilaterals have a front of their own");
         }
@@ -209,7 +210,8 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
     }
     if (arguments.quadNodes && job.options.order == ElementOrder::First) {
         add("--quad-nodes", "elements of order 1 have nodes at their corners alone; add --order 2");
-    } else if (arguments.quadNodes && job.options.elements == Elements::Triangles) {
+    } else if (arguments.quadNodes && job.options.elements == Elements::Triangles &&
+               std::ranges::none_of(job.regionElements, hasQuads) && job.layers.empty() && job.strips.empty()) {
         add("--quad-nodes", "the elements are triangles");
     }
     return notes;
@@ -394,6 +396,9 @@ int runMesh(const MeshArguments &arguments) {
         faults = applyOptions(arguments, job->options);
     }
     if (faults.empty()) {
+        faults = allFormats().locateFaults(input.path, applyElements(arguments.elements, *job), input.options);
+    }
+    if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, applyLayers(arguments.layers, *job), input.options);
     }
     if (faults.empty()) {
@@ -406,6 +411,10 @@ int runMesh(const MeshArguments &arguments) {
     }
     if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, applyMapped(arguments.mapped, *job), input.options);
+    }
+    if (faults.empty()) {
+        faults = allFormats().locateFaults(input.path, applyStrips(arguments.strips, job->domain, job->strips),
+                                           input.options);
     }
     if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, checkOpenNames(arguments.form, job->domain), input.options);
