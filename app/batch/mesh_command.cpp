@@ -1,18 +1,16 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
-#include "app/batch/crack_option.hpp"
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/estimate_report.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/fix_option.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
-#include "app/batch/mapped_option.hpp"
 #include "app/batch/mesh_arguments.hpp"
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
-#include "app/batch/periodic_option.hpp"
+#include "app/batch/part_options.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/raster_option.hpp"
 #include "app/batch/report.hpp"
@@ -27,7 +25,6 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/large_elements.hpp"
-#include "core/engine/pipeline/optional_periodic.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/pipeline/target_elements.hpp"
 #include "core/engine/spacing/scaled_sizes.hpp"
@@ -356,14 +353,6 @@ Result<ReadJob> readFiles(const MeshArguments &arguments, const MeshFiles &files
     return read;
 }
 
-/// Leaves out the periodic parts of a mesh file that something asked for excludes, and prints notes on them.
-void leaveOutPeriodicOfMesh(const MeshArguments &arguments, ReadJob &read) {
-    const Diagnostics notes = leaveOutExcludedPeriodic(read.job, read.periodicOfMesh);
-    if (!arguments.quiet) {
-        printFaults(notes);
-    }
-}
-
 int runMesh(const MeshArguments &arguments) {
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
@@ -396,28 +385,7 @@ int runMesh(const MeshArguments &arguments) {
         faults = applyOptions(arguments, job->options);
     }
     if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, applyElements(arguments.elements, *job), input.options);
-    }
-    if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, applyLayers(arguments.layers, *job), input.options);
-    }
-    if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, applyCracks(arguments.cracks, job->domain, job->cracks),
-                                           input.options);
-    }
-    if (faults.empty()) {
-        leaveOutPeriodicOfMesh(arguments, *read);
-        faults = allFormats().locateFaults(input.path, applyPeriodic(arguments.periodic, *job), input.options);
-    }
-    if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, applyMapped(arguments.mapped, *job), input.options);
-    }
-    if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, applyStrips(arguments.strips, job->domain, job->strips),
-                                           input.options);
-    }
-    if (faults.empty()) {
-        faults = allFormats().locateFaults(input.path, checkOpenNames(arguments.form, job->domain), input.options);
+        faults = applyPartOptions(arguments, input, read->periodicOfMesh, *job);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);

@@ -129,6 +129,26 @@ TEST_CASE("Strips: triangles, quadrilaterals around them, second order, a region
     }
 }
 
+TEST_CASE("Strips: a number of elements of the line counts on both sides, with its bias") {
+    MeshingJob job = withLine({{2, 2}, {8, 2}, {8, 7}}, 0.6, 2);
+    job.spacing.placed.elements.assign(job.domain.segments.size(), 0);
+    job.spacing.placed.biases.resize(job.domain.segments.size());
+    job.spacing.placed.elements[7] = 13;
+    job.spacing.placed.biases[7].ratio = 4.0;
+    job.spacing.placed.elements[8] = 4;
+    const Mesh mesh = stripMesh(job).mesh;
+    CHECK(figuresOf(mesh, 2).quads == 2 * 17);
+    double shortest = 10.0, longest = 0.0;
+    for (const TaggedEdge &edge : mesh.edges) {
+        const Vec2 a = mesh.nodes[index(edge.a)], b = mesh.nodes[index(edge.b)];
+        if (edge.tag == 2 && a.y == b.y && a.y == doctest::Approx(1.7)) {
+            shortest = std::min(shortest, distance(a, b));
+            longest = std::max(longest, distance(a, b));
+        }
+    }
+    CHECK(longest / shortest == doctest::Approx(4.0).epsilon(1e-6));
+}
+
 TEST_CASE("Strips: ends on the boundary, at its corners and on other lines") {
     // On straight parts, whose node in the middle is left out; obliquely; at a corner with two rows.
     for (const std::uint32_t rows : {1U, 2U, 3U}) {

@@ -20,9 +20,9 @@ Diagnostics stripRowFault(const char *code, const char *what, const char *advice
 }
 
 /// Follows the outline of a face from corner to corner.
-class OutlineWalk {
+class StripOutlineWalk {
   public:
-    OutlineWalk(const Domain &domain, const DiscreteDomain &boundary, const NextNodes &next)
+    StripOutlineWalk(const Domain &domain, const DiscreteDomain &boundary, const NextNodes &next)
         : domain_(domain), boundary_(boundary), next_(next) {}
 
     /// Begins at a node of the domain.
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> StripOutline::around() const {
 Result<StripOutline> stripOutline(const StripFace &strip, const Domain &domain, const DiscreteDomain &boundary,
                                   const NextNodes &next) {
     StripOutline outline;
-    OutlineWalk walk(domain, boundary, next);
+    StripOutlineWalk walk(domain, boundary, next);
     const auto &[firstRight, firstLeft, lastRight, lastLeft] = strip.corners;
     walk.begin(firstRight);
     outline.right = walk.to(lastRight);

@@ -20,7 +20,7 @@ constexpr double kSameNode = 1e-6;    ///< distance below which a cut is a node,
 constexpr int kBisections = 60;       ///< of a segment, for a cut
 
 /// The part of a line between the node where a strip ends and a side of the strip.
-struct Arm {
+struct StripArm {
     std::uint32_t segment = 0;           ///< the first segment, as it was
     DomainSegment like;                  ///< its tag and role
     std::vector<std::uint32_t> inside;   ///< segments that lie in the end of the strip, from the node on
@@ -52,7 +52,7 @@ class EndBuilder {
         if (others.size() == 1) {
             return flat(others.front());
         }
-        Arm left, right;
+        StripArm left, right;
         if (Status faults = cut(others.front(), true, left); !faults.empty()) {
             return faults;
         }
@@ -134,7 +134,7 @@ class EndBuilder {
     }
 
     /// Follows a line from the end to a side of the strip, and cuts it there.
-    Status cut(std::pair<double, std::uint32_t> line, bool left, Arm &arm) {
+    Status cut(std::pair<double, std::uint32_t> line, bool left, StripArm &arm) {
         const double angle = left ? line.first : 360.0 - line.first;
         std::uint32_t s = line.second, node = node_;
         if (!(angle >= kMostOblique && angle <= 180.0 - kMostOblique)) {
@@ -186,7 +186,7 @@ class EndBuilder {
         return same ? std::optional(next) : std::nullopt;
     }
 
-    void cutSegment(std::uint32_t s, std::uint32_t node, std::uint32_t next, bool left, Arm &arm) {
+    void cutSegment(std::uint32_t s, std::uint32_t node, std::uint32_t next, bool left, StripArm &arm) {
         const CurveStretch stretch = stretchFrom(s, node);
         const Vec2 a = draft_.domain.nodes[node], b = draft_.domain.nodes[next];
         const auto place = [&](double u) {
@@ -223,7 +223,7 @@ class EndBuilder {
     }
 
     /// Replaces the arms by lines with numbers of elements that are the rows of the strip.
-    Status divide(std::size_t lines, const Arm &left, const Arm &right) {
+    Status divide(std::size_t lines, const StripArm &left, const StripArm &right) {
         const bool alike = lines == 2 && !draft_.isPoint(node_) && left.like.tag == right.like.tag &&
                            left.like.role == right.like.role && left.curve() == right.curve();
         const Vec2 l = draft_.domain.nodes[left.corner], r = draft_.domain.nodes[right.corner];
@@ -248,7 +248,7 @@ class EndBuilder {
         const double share = spec_.rows * left.length / (left.length + right.length);
         const auto ofLeft = static_cast<std::uint32_t>(std::clamp(std::round(share), 1.0, spec_.rows - 1.0));
         removeArms(left, right);
-        const auto whole = [](const Arm &arm) {
+        const auto whole = [](const StripArm &arm) {
             return CurveStretch{arm.curve(), arm.stretches.front().t0, arm.stretches.back().t1};
         };
         addPart(node_, left.corner, left.like, whole(left), left.inside.size(), ofLeft, inner);
@@ -256,8 +256,8 @@ class EndBuilder {
         return {};
     }
 
-    void removeArms(const Arm &left, const Arm &right) {
-        for (const Arm *const arm : {&left, &right}) {
+    void removeArms(const StripArm &left, const StripArm &right) {
+        for (const StripArm *const arm : {&left, &right}) {
             for (const std::uint32_t s : arm->inside) {
                 draft_.remove(s);
             }

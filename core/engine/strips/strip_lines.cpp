@@ -47,8 +47,9 @@ bool isParallel(const Curve &parallel, const Curve &curve, double offset) {
 /// Finds the lines of one strip.
 class LineFinder {
   public:
-    LineFinder(const Domain &domain, const StripSpec &spec)
-        : domain_(domain), spec_(spec), chains_(curveChains(domain)), others_(domain.nodes.size(), kNoIndex) {
+    LineFinder(const Domain &domain, const StripSpec &spec, const SegmentElements &elements)
+        : domain_(domain), spec_(spec), elements_(elements), chains_(curveChains(domain)),
+          others_(domain.nodes.size(), kNoIndex) {
         for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
             const DomainSegment &segment = domain.segments[s];
             for (const std::uint32_t node : {segment.a, segment.b}) {
@@ -155,8 +156,10 @@ class LineFinder {
         for (std::size_t k = 0; k < line.segments.size();) {
             const CurveChain *const chain = chainOf(line.segments[k]);
             if (chain == nullptr) {
-                const std::uint32_t next = otherEnd(line.segments[k++], node);
-                line.runs.push_back({Curve::line(domain_.nodes[node], domain_.nodes[next]), 1});
+                const std::uint32_t s = line.segments[k++], next = otherEnd(s, node);
+                const ElementBias bias = elements_.bias(s);
+                line.runs.push_back({Curve::line(domain_.nodes[node], domain_.nodes[next]), 1, elements_[s],
+                                     domain_.segments[s].a == node ? bias : bias.reversed()});
                 node = next;
                 continue;
             }
@@ -165,7 +168,10 @@ class LineFinder {
             const Curve part =
                 domain_.curves[chain->curve].part(forward ? chain->t0 : chain->t1, forward ? chain->t1 : chain->t0);
             const auto chords = static_cast<std::uint32_t>(chain->segments.size());
-            if (Status faults = addCurve(part, chords, 0, line); !faults.empty()) {
+            const ElementBias bias = biasAlong(domain_, *chain, elements_);
+            const SideRun run{part, chords, elementsAlong(domain_, *chain, elements_),
+                              forward ? bias : bias.reversed()};
+            if (Status faults = addCurve(run, 0, line); !faults.empty()) {
                 return faults;
             }
             node = forward ? chain->end : chain->start;
@@ -175,7 +181,8 @@ class LineFinder {
     }
 
     /// Adds a curve, halved until its parallels are single curves.
-    Status addCurve(const Curve &curve, std::uint32_t chords, std::uint32_t halvings, StripLine &line) const {
+    Status addCurve(const SideRun &run, std::uint32_t halvings, StripLine &line) const {
+        const Curve &curve = run.curve;
         const double half = 0.5 * spec_.width;
         const std::optional<Curve> left = parallelTo(curve, half), right = parallelTo(curve, -half);
         if (!left || !right) {
@@ -184,11 +191,16 @@ class LineFinder {
         }
         if (radiusOf(curve) || halvings == kMaxHalvings ||
             (isParallel(*left, curve, half) && isParallel(*right, curve, half))) {
-            line.runs.push_back({curve, std::max(chords, 4U)});
+            line.runs.push_back(run);
+            line.runs.back().chords = std::max(run.chords, 4U);
             return {};
         }
+        if (run.elements > 0) {
+            return fault("strip-elements", "its line has a number of elements on a curve whose parallels are several",
+                         "leave out the number of elements of the line", curve.point(0.5));
+        }
         for (const double t0 : {0.0, 0.5}) {
-            if (Status faults = addCurve(curve.part(t0, t0 + 0.5), (chords + 1) / 2, halvings + 1, line);
+            if (Status faults = addCurve({curve.part(t0, t0 + 0.5), (run.chords + 1) / 2}, halvings + 1, line);
                 !faults.empty()) {
                 return faults;
             }
@@ -198,6 +210,7 @@ class LineFinder {
 
     const Domain &domain_;
     const StripSpec &spec_;
+    SegmentElements elements_;
     CurveChains chains_;
     std::vector<std::uint32_t> others_;                          ///< per node: a segment with another tag, or kNoIndex
     std::map<std::uint32_t, std::vector<std::uint32_t>> around_; ///< segments of the line, by node
@@ -234,8 +247,9 @@ std::optional<Curve> parallelTo(const Curve &curve, double offset) {
     return Curve::cubic(from, from + handle(0.0), to - handle(1.0), to);
 }
 
-Result<std::vector<StripLine>> stripLines(const Domain &domain, const StripSpec &spec) {
-    return LineFinder(domain, spec).run();
+Result<std::vector<StripLine>> stripLines(const Domain &domain, const StripSpec &spec,
+                                          const SegmentElements &elements) {
+    return LineFinder(domain, spec, elements).run();
 }
 
 } // namespace forefront

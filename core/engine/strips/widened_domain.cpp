@@ -73,7 +73,7 @@ class SideBuilder {
             }
         }
         sketch.face.corners = {joints[0].right, joints[0].left, joints[runs].right, joints[runs].left};
-        const StripRun &first = line_.runs.front();
+        const SideRun &first = line_.runs.front();
         sketch.inside = first.straight() ? middleOf(joints[0], joints[1]) : first.curve.point(0.5);
         return {};
     }
@@ -89,7 +89,7 @@ class SideBuilder {
 
     /// Adds the nodes where the sides of a run meet those of the run before it: a mitre.
     Status addJoint(std::size_t k, StripJoint &joint) {
-        const StripRun &before = line_.runs[(k + line_.runs.size() - 1) % line_.runs.size()], &after = line_.runs[k];
+        const SideRun &before = line_.runs[(k + line_.runs.size() - 1) % line_.runs.size()], &after = line_.runs[k];
         const Vec2 a = before.curve.tangent(1.0), b = after.curve.tangent(0.0), place = after.start();
         const double turn = std::atan2(cross(a, b), dot(a, b)), degrees = std::abs(turn) * 180.0 / std::numbers::pi;
         if (std::cos(0.5 * turn) * kMitreLimit < 1.0) {
@@ -111,7 +111,7 @@ class SideBuilder {
 
     Status addSide(std::size_t k, bool left, const StripJoint &begin, const StripJoint &end,
                    std::vector<std::uint32_t> &segments) {
-        const StripRun &run = line_.runs[k];
+        const SideRun &run = line_.runs[k];
         const std::uint32_t from = left ? begin.left : begin.right, to = left ? end.left : end.right;
         const DomainSegment like{from, to, spec_.tag, SegmentRole::Constraint, {}};
         const Vec2 tooShort = run.curve.point(0.5);
@@ -121,7 +121,8 @@ class SideBuilder {
                 return bend("a part of its line is too short for its width", "choose a smaller width, or longer parts",
                             tooShort);
             }
-            segments = {draft_.addSegment(like, 0)};
+            segments = {draft_.addSegment(like, run.elements)};
+            draft_.biases[segments.front()] = run.bias;
             return {};
         }
         const auto parameter = [&](bool atEnd, std::uint32_t node) {
@@ -135,7 +136,10 @@ class SideBuilder {
             return bend("a part of its line is too short for its width", "choose a smaller width, or longer parts",
                         tooShort);
         }
-        segments = draft_.addCurve(joining(*side, at(from), at(to)), run.chords, from, to, like, 0);
+        segments = draft_.addCurve(joining(*side, at(from), at(to)), run.chords, from, to, like, run.elements);
+        for (const std::uint32_t s : segments) {
+            draft_.biases[s] = run.bias;
+        }
         return {};
     }
 
@@ -147,7 +151,7 @@ class SideBuilder {
 class Widener {
   public:
     Widener(const Domain &domain, std::span<const StripSpec> specs, const SegmentElements &elements, double growth)
-        : given_(domain), specs_(specs), growth_(growth), draft_(domain, elements) {}
+        : given_(domain), specs_(specs), elements_(elements), growth_(growth), draft_(domain, elements) {}
 
     Result<WidenedDomain> run() {
         if (Status faults = findLines(); !faults.empty()) {
@@ -188,7 +192,7 @@ class Widener {
             ofTag[specs_[i].tag] = i;
         }
         for (std::size_t i = 0; i < specs_.size(); ++i) {
-            Result<std::vector<StripLine>> lines = stripLines(given_, specs_[i]);
+            Result<std::vector<StripLine>> lines = stripLines(given_, specs_[i], elements_);
             if (!lines) {
                 return lines.faults();
             }
@@ -344,6 +348,7 @@ class Widener {
 
     const Domain &given_;
     std::span<const StripSpec> specs_;
+    const SegmentElements &elements_;
     double growth_;
     StripDraft draft_;
     std::vector<std::vector<StripLine>> lines_; ///< per specification
