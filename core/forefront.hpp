@@ -30,6 +30,8 @@
 /// | divide two boundary parts alike | forefront::PeriodicSpec, forefront::periodicPairs |
 /// | open cracks along inner lines | forefront::MeshingJob::cracks, forefront::CrackReport, forefront::closeCracks |
 /// | fill faces by rows of elements | forefront::MappedSpec |
+/// | give inner lines a width | forefront::StripSpec |
+/// | choose the elements of a region | forefront::RegionElements |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
 /// | step through a run, forward and back | forefront::MeshStepper; in the background: forefront::MeshingSession |
 /// | hold a mesh of any kinds of cells | forefront::Mesh, forefront::CellBlock, forefront::CellTraits |

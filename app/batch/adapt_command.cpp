@@ -141,6 +141,7 @@ Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainF
     job.cracks = std::move(file->cracks);
     job.periodic = std::move(file->periodic);
     job.mapped = std::move(file->mapped);
+    job.strips = std::move(file->strips);
     return job;
 }
 

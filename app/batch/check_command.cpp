@@ -8,6 +8,7 @@
 #include "app/batch/outputs.hpp"
 #include "app/batch/raster_option.hpp"
 #include "app/batch/report.hpp"
+#include "app/batch/strip_option.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
@@ -26,6 +27,7 @@
 #include "core/files/inner_edges.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -33,6 +35,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +75,7 @@ struct CheckArguments {
     DrawingArguments drawing;                      ///< of the domain
     bool repair = false;
     CrackArguments cracks; ///< of the domain
+    StripArguments strips; ///< of the domain
     std::optional<double> size;
     std::optional<std::string> expression;
     std::vector<std::string> rasters, presets; ///< of --raster and --size-preset, which sets `expression`
@@ -123,13 +127,43 @@ bool hasConstraints(const Domain &domain) {
                        [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; });
 }
 
-/// In the outline of a mesh, edges without a tag get one. Returns all tagged edges of a mesh that is compared with such
-/// an outline, with these; none if it has no tags at all, and is compared without them.
-std::vector<TaggedEdge> edgesLikeAnOutline(const MeshView &mesh, const Input &domain) {
+/// Returns the places of the ends of an edge, the lower one first.
+std::array<double, 4> placesOf(const MeshView &mesh, const TaggedEdge &edge) {
+    const Vec2 a = mesh.nodes[index(edge.a)], b = mesh.nodes[index(edge.b)];
+    return std::pair(a.x, a.y) < std::pair(b.x, b.y) ? std::array{a.x, a.y, b.x, b.y} : std::array{b.x, b.y, a.x, a.y};
+}
+
+/// Gives edges on both sides of open lines the tags that the closed lines have, where these are new.
+void takeNewTags(const MeshView &mesh, const Mesh &closed, std::vector<TaggedEdge> &edges) {
+    std::set<std::int32_t> known;
+    for (const TaggedEdge &edge : edges) {
+        known.insert(edge.tag);
+    }
+    std::map<std::array<double, 4>, std::int32_t> tags;
+    for (const TaggedEdge &edge : closed.edges) {
+        if (!known.contains(edge.tag)) {
+            tags.emplace(placesOf(closed, edge), edge.tag);
+        }
+    }
+    for (TaggedEdge &edge : edges) {
+        const auto own = tags.find(placesOf(mesh, edge));
+        edge.tag = own == tags.end() ? edge.tag : own->second;
+    }
+}
+
+/// In the outline of a mesh, edges without a tag get one, and so do lines between parts whose nodes are not merged.
+/// Returns all tagged edges of a mesh that is compared with such an outline, with these tags; none if it has no tags at
+/// all, and is compared without them.
+std::vector<TaggedEdge> edgesLikeAnOutline(const MeshView &mesh, const Input &domain, bool mergesSides) {
     const FileFormat *const format = domain.format();
     std::vector<TaggedEdge> edges(mesh.edges.begin(), mesh.edges.end());
     if (format != nullptr && format->readsMesh && !edges.empty()) {
-        const std::vector<TaggedEdge> untagged = untaggedEdges(mesh);
+        const std::optional<ClosedMesh> closed =
+            closeOpenLines(mesh, mergesSides ? OpenLineRule::OwnTags : OpenLineRule::All);
+        if (closed) {
+            takeNewTags(mesh, closed->mesh, edges);
+        }
+        const std::vector<TaggedEdge> untagged = untaggedEdges(closed ? MeshView(closed->mesh) : mesh);
         edges.insert(edges.end(), untagged.begin(), untagged.end());
     }
     return edges;
@@ -139,7 +173,8 @@ std::vector<TaggedEdge> edgesLikeAnOutline(const MeshView &mesh, const Input &do
 Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckArguments &arguments, Input &input) {
     // The parts of grids of water are open, land and islands, not those of the domain.
     const bool kinds = hasOpenBoundaries(arguments.mesh, arguments.inputFormat);
-    const std::vector<TaggedEdge> edges = kinds ? std::vector<TaggedEdge>() : edgesLikeAnOutline(mesh, input);
+    const std::vector<TaggedEdge> edges =
+        kinds ? std::vector<TaggedEdge>() : edgesLikeAnOutline(mesh, input, arguments.repair);
     mesh.edges = edges;
     arguments.drawing.applyTo(input.options);
     input.options.keepSharedLines = arguments.repair;
@@ -167,10 +202,21 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
     if (Diagnostics unknown = applyCracks(arguments.cracks, domain, file->cracks); !unknown.empty()) {
         return allFormats().locateFaults(input.path, unknown, input.options);
     }
+    Diagnostics wrongStrips = applyStrips(arguments.strips, domain, file->strips);
+    if (wrongStrips.empty()) {
+        PlacedSizes &placed = file->spacing.placed;
+        wrongStrips = widenStrips(file->strips, file->cracks, file->periodic, domain, placed.elements, placed.biases);
+    }
+    if (!wrongStrips.empty()) {
+        return allFormats().locateFaults(input.path, wrongStrips, input.options);
+    }
     const Repaired *const sources = repaired ? &*repaired : nullptr;
     const bool innerTags = acceptsInnerEdges(arguments.mesh) || hasInnerEdges(mesh);
     Diagnostics faults =
         verifyAgainst(mesh, domain, file->spacing.placed.counts(), kMaxListedFaults, numbers, innerTags, file->cracks);
+    if (!file->strips.empty()) { // their domain has other segments than the one read
+        std::ranges::for_each(faults, [](Diagnostic &fault) { fault.parts.clear(); });
+    }
     if (!hasErrors(faults)) {
         Diagnostics parts;
         if (innerTags) {
@@ -344,6 +390,9 @@ int checkCommand(const CommandLine &line) {
     addCrackOptions(app, arguments.cracks,
                     "with --domain: the inner line NAME is a crack; every sector of elements between its faces must "
                     "have nodes of its own there; can be repeated");
+    addStripOption(app, arguments.strips,
+                   "with --domain: the inner line NAME is a strip with this width and number of rows, as in mesh; can "
+                   "be repeated");
     addConfigOption(app);
     if (const auto code = parseOptions(app, line)) {
         return *code;
@@ -351,6 +400,12 @@ int checkCommand(const CommandLine &line) {
     std::string wrong = checkInputs({arguments.mesh, arguments.domain}, arguments.inputFormat);
     if (wrong.empty()) {
         wrong = checkRasters(arguments.rasters, arguments.presets, arguments.expression);
+    }
+    if (wrong.empty()) {
+        wrong = parseStrips(arguments.strips);
+    }
+    if (wrong.empty() && !arguments.strips.texts.empty() && !arguments.domain) {
+        wrong = "--strip: names a line of the domain; add --domain";
     }
     if (wrong.empty() && !arguments.rasters.empty() && !arguments.expression) {
         wrong = "--raster: no expression calls it; add --spacing EXPR or --size-preset RULE";

@@ -47,8 +47,10 @@ Examples:
   forefront mesh cell.json -o cell.msh --periodic left:right --periodic bottom:top
         nodes on the right side that are images of those on the left, and pairs of them in the file
   forefront mesh dam.json -o dam.inp --crack joint
+  forefront mesh dam.json -o dam.inp --strip joint:width=0.2,rows=2
         double nodes along the inner line joint, whose faces become the boundary parts joint and joint_right
   forefront mesh pipe.json -o pipe.msh --elements quads --mapped wall
+  forefront mesh dam.json -o dam.inp --elements mixed --elements triangles:soil
         rows of quadrilaterals in the region wall
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
@@ -113,11 +115,7 @@ std::string spacingFiles() {
 }
 
 void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid) {
-    addWordOption<Elements>(
-        app, "--elements", arguments.elements,
-        "triangles (default), quads: quadrilaterals everywhere, or mixed: quadrilaterals where they "
-        "are well shaped, else triangles")
-        ->type_name("SHAPES");
+    addElementsOption(app, arguments.elements);
     addWordOption<ElementOrder>(
         app, "--order", arguments.order,
         "1 (default), or 2: elements with nodes in the middles of their edges, on the curves of "
@@ -250,6 +248,10 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
                     "make a crack of the inner line NAME: the elements on its two sides get nodes of their own; the "
                     "face on the right of the line is named NAME_right; can be repeated");
     addMappedOption(app, arguments.mapped);
+    addStripOption(app, arguments.strips,
+                   "give the inner line NAME a width, and fill the strip along it by rows of elements, such as "
+                   "wall:width=0.2,rows=2; type=triangles divides the quadrilaterals; region=TAG: of the strip, which "
+                   "otherwise is a region of its own, with the name of the line; can be repeated");
     addFrontOptions(app, arguments, grid);
     addFixOptions(app, arguments.limits, arguments.fix);
     addImportOptions(app, arguments);
@@ -270,6 +272,12 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     std::string wrong = grid.empty() ? std::string() : parseGrid(grid, arguments);
     if (wrong.empty()) {
         wrong = parseLayers(layers, arguments.layers);
+    }
+    if (wrong.empty()) {
+        wrong = parseStrips(arguments.strips);
+    }
+    if (wrong.empty()) {
+        wrong = parseElements(arguments.elements);
     }
     if (wrong.empty()) {
         wrong = checkRasters(arguments.rasters, arguments.presets, arguments.expression);

@@ -2,8 +2,10 @@
 
 #include "app/batch/cli_options.hpp"
 #include "app/batch/crack_option.hpp"
+#include "app/batch/elements_option.hpp"
 #include "app/batch/layers_option.hpp"
 #include "app/batch/outputs.hpp"
+#include "app/batch/strip_option.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/files/source/picture_sizes.hpp"
@@ -43,9 +45,10 @@ struct MeshArguments {
     std::vector<std::string> periodic; ///< values of --periodic
     CrackArguments cracks;
     std::vector<std::string> mapped; ///< values of --mapped
+    StripArguments strips;
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
-    std::optional<Elements> elements;
+    ElementsArguments elements;
     std::optional<ElementOrder> order;
     std::optional<QuadNodes> quadNodes;
     std::optional<double> leastAngle; ///< degrees

@@ -44,7 +44,9 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
     } else if (arguments.curveTolerance && job.options.keepBoundary) {
         add("--curve-tolerance", "the given segments are kept");
     }
-    if (job.options.elements != Elements::Triangles) {
+    const auto hasQuads = [](const RegionElements &own) { return own.elements != Elements::Triangles; };
+    const auto hasTriangles = [](const RegionElements &own) { return own.elements == Elements::Triangles; };
+    if (job.options.elements != Elements::Triangles && std::ranges::none_of(job.regionElements, hasTriangles)) {
         if (arguments.method) {
             add("--method", "quadrilaterals have a front of their own");
         }
@@ -57,7 +59,8 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
     }
     if (arguments.quadNodes && job.options.order == ElementOrder::First) {
         add("--quad-nodes", "elements of order 1 have nodes at their corners alone; add --order 2");
-    } else if (arguments.quadNodes && job.options.elements == Elements::Triangles) {
+    } else if (arguments.quadNodes && job.options.elements == Elements::Triangles &&
+               std::ranges::none_of(job.regionElements, hasQuads) && job.layers.empty() && job.strips.empty()) {
         add("--quad-nodes", "the elements are triangles");
     }
     return notes;

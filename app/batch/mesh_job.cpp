@@ -1,12 +1,8 @@
 #include "app/batch/mesh_job.hpp"
 
-#include "app/batch/crack_option.hpp"
 #include "app/batch/exit_code.hpp"
-#include "app/batch/layers_option.hpp"
-#include "app/batch/mapped_option.hpp"
-#include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_notes.hpp"
-#include "app/batch/periodic_option.hpp"
+#include "app/batch/part_options.hpp"
 #include "app/batch/raster_option.hpp"
 #include "app/batch/rules_option.hpp"
 #include "core/drawing/document/document.hpp"
@@ -15,7 +11,6 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
-#include "core/engine/pipeline/optional_periodic.hpp"
 #include "core/files/files.hpp"
 
 #include <filesystem>
@@ -132,7 +127,6 @@ Diagnostics applyOptions(const MeshArguments &arguments, MeshingOptions &options
     }
     options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
     options.verify = arguments.verify;
-    options.elements = arguments.elements.value_or(options.elements);
     options.order = arguments.order.value_or(options.order);
     options.quadNodes = arguments.quadNodes.value_or(options.quadNodes);
     if (arguments.leastAngle) {
@@ -159,28 +153,6 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
     carryElements(job.domain, *read.repaired, job.spacing);
     job.domain = std::move(read.repaired->domain);
     return {};
-}
-
-/// Leaves out the periodic parts of a mesh file that something asked for excludes, and prints notes on them.
-void leaveOutPeriodicOfMesh(const MeshArguments &arguments, ReadJob &read) {
-    const Diagnostics notes = leaveOutExcludedPeriodic(read.job, read.periodicOfMesh);
-    if (!arguments.quiet) {
-        printFaults(notes);
-    }
-}
-
-/// Applies the options that name parts or regions of the domain. Returns the faults.
-Diagnostics applyNamed(const MeshArguments &arguments, ReadJob &read) {
-    MeshingJob &job = read.job;
-    Diagnostics faults = applyLayers(arguments.layers, job);
-    faults = faults.empty() ? applyCracks(arguments.cracks, job.domain, job.cracks) : faults;
-    if (!faults.empty()) {
-        return faults;
-    }
-    leaveOutPeriodicOfMesh(arguments, read);
-    faults = applyPeriodic(arguments.periodic, job);
-    faults = faults.empty() ? applyMapped(arguments.mapped, job) : faults;
-    return faults.empty() ? checkOpenNames(arguments.form, job.domain) : faults;
 }
 
 } // namespace
@@ -245,7 +217,7 @@ Diagnostics applyArguments(const MeshArguments &arguments, const Input &input, c
     if (Diagnostics faults = applyOptions(arguments, read.job.options); !faults.empty()) {
         return faults;
     }
-    return allFormats().locateFaults(input.path, applyNamed(arguments, read), input.options);
+    return applyPartOptions(arguments, input, read.periodicOfMesh, read.job);
 }
 
 } // namespace forefront

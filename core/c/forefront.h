@@ -100,6 +100,35 @@ FOREFRONT_C_API forefront_status forefront_name_boundary(forefront_context *cont
 FOREFRONT_C_API forefront_status forefront_name_region(forefront_context *context, forefront_job *job, int32_t tag,
                                                        const char *name);
 
+/**
+ * Adds boundary layers on a part: the height of the first one, the growth (1.2 is usual), and their number or their
+ * height altogether, 0 for none of both. `elements`: "quads" or "triangles"; null: quads.
+ */
+FOREFRONT_C_API forefront_status forefront_add_layers(forefront_context *context, forefront_job *job, int32_t tag,
+                                                      double first, double growth, uint32_t count, double thickness,
+                                                      const char *elements);
+/** Makes a crack of an inner line: the elements on its two sides get nodes of their own. */
+FOREFRONT_C_API forefront_status forefront_add_crack(forefront_context *context, forefront_job *job, int32_t tag);
+/** Divides two boundary parts alike, the second of which is the first one moved or turned. */
+FOREFRONT_C_API forefront_status forefront_add_periodic(forefront_context *context, forefront_job *job, int32_t from,
+                                                        int32_t to_tag);
+/**
+ * Fills the faces of a region by rows of elements. `corners`: x and y of 3 or 4 nodes of each face in turn; null: the
+ * sharpest ones.
+ */
+FOREFRONT_C_API forefront_status forefront_add_mapped(forefront_context *context, forefront_job *job, int32_t region,
+                                                      const double *corners, size_t count);
+/**
+ * Gives an inner line a width, and fills the strip along it by rows of elements. `elements`: "quads" or "triangles";
+ * null: quads. `region`: tag of the strip; 0: a tag of its own.
+ */
+FOREFRONT_C_API forefront_status forefront_add_strip(forefront_context *context, forefront_job *job, int32_t tag,
+                                                     double width, uint32_t rows, const char *elements,
+                                                     int32_t region);
+/** Sets the shapes of the elements of one region: "triangles", "quads" or "mixed". */
+FOREFRONT_C_API forefront_status forefront_set_region_elements(forefront_context *context, forefront_job *job,
+                                                               int32_t region, const char *elements);
+
 /** Sets the size everywhere. */
 FOREFRONT_C_API forefront_status forefront_set_size(forefront_context *context, forefront_job *job, double size);
 /** Sets the size by an expression in x and y. */

@@ -20,7 +20,8 @@ struct forefront_context {
 struct forefront_job {
     forefront::MeshingJob job;
     forefront_progress_function progress = nullptr;
-    void *user = nullptr; ///< of `progress`
+    void *user = nullptr;                                  ///< of `progress`
+    std::vector<forefront::PeriodicSpec> periodicOfMesh{}; ///< those of the job that a mesh file shows
 };
 
 /// A mesh, each of whose elements has a region, with the spacing that it was made for.

@@ -135,7 +135,9 @@ forefront_status forefront_read_domain(forefront_context *context, forefront_job
         to.domain = std::move(file->domain);
         to.spacing = std::move(file->spacing);
         to.cracks = std::move(file->cracks);
-        to.periodic = std::move(file->periodic);
+        to.periodic = job->periodicOfMesh = std::move(file->periodic);
+        to.mapped = std::move(file->mapped);
+        to.strips = std::move(file->strips);
         return FOREFRONT_OK;
     });
 }
@@ -206,6 +208,80 @@ forefront_status forefront_name_region(forefront_context *context, forefront_job
     return changed(context, job, [&](forefront::MeshingJob &to) {
         to.domain.regionNames[tag] = name == nullptr ? "" : name;
         return FOREFRONT_OK;
+    });
+}
+
+forefront_status forefront_add_layers(forefront_context *context, forefront_job *job, int32_t tag, double first,
+                                      double growth, uint32_t count, double thickness, const char *elements) {
+    return changed(context, job, [&](forefront::MeshingJob &to) {
+        forefront::LayerSpec spec{tag, first, growth};
+        if (count > 0) {
+            spec.count = count;
+        }
+        if (thickness != 0.0) {
+            spec.thickness = thickness;
+        }
+        const forefront_status status =
+            elements == nullptr ? FOREFRONT_OK : setWord(*context, spec.cells, "elements", elements);
+        if (status == FOREFRONT_OK) {
+            to.layers.push_back(spec);
+        }
+        return status;
+    });
+}
+
+forefront_status forefront_add_crack(forefront_context *context, forefront_job *job, int32_t tag) {
+    return changed(context, job, [&](forefront::MeshingJob &to) {
+        to.cracks.push_back(tag);
+        return FOREFRONT_OK;
+    });
+}
+
+forefront_status forefront_add_periodic(forefront_context *context, forefront_job *job, int32_t from, int32_t to_tag) {
+    return changed(context, job, [&](forefront::MeshingJob &to) {
+        to.periodic.push_back({from, to_tag});
+        std::erase(job->periodicOfMesh, to.periodic.back());
+        return FOREFRONT_OK;
+    });
+}
+
+forefront_status forefront_add_mapped(forefront_context *context, forefront_job *job, int32_t region,
+                                      const double *corners, size_t count) {
+    return changed(context, job, [&](forefront::MeshingJob &to) {
+        if (corners == nullptr && count > 0) {
+            return badArgument(*context, "the corners are null");
+        }
+        to.mapped.push_back({region, placesOf(corners, count)});
+        return FOREFRONT_OK;
+    });
+}
+
+forefront_status forefront_add_strip(forefront_context *context, forefront_job *job, int32_t tag, double width,
+                                     uint32_t rows, const char *elements, int32_t region) {
+    return changed(context, job, [&](forefront::MeshingJob &to) {
+        forefront::StripSpec spec{tag, width, rows};
+        spec.region = region;
+        const forefront_status status =
+            elements == nullptr ? FOREFRONT_OK : setWord(*context, spec.cells, "elements", elements);
+        if (status == FOREFRONT_OK) {
+            to.strips.push_back(spec);
+        }
+        return status;
+    });
+}
+
+forefront_status forefront_set_region_elements(forefront_context *context, forefront_job *job, int32_t region,
+                                               const char *elements) {
+    return changed(context, job, [&](forefront::MeshingJob &to) {
+        if (elements == nullptr) {
+            return badArgument(*context, "the elements are null");
+        }
+        forefront::RegionElements own{region};
+        const forefront_status status = setWord(*context, own.elements, "elements", elements);
+        if (status == FOREFRONT_OK) {
+            to.regionElements.push_back(own);
+        }
+        return status;
     });
 }
 

@@ -57,9 +57,9 @@ forefront_status forefront_mesh_domain(forefront_context *context, const forefro
         const forefront::MeshingJob *run = &job->job;
         forefront::MeshingJob changed;
         forefront::Diagnostics notes;
-        if (!run->periodic.empty()) { // those of a mesh that was read
+        if (!job->periodicOfMesh.empty()) {
             changed = job->job;
-            notes = leaveOutExcludedPeriodic(changed, run->periodic);
+            notes = leaveOutExcludedPeriodic(changed, job->periodicOfMesh);
             run = &changed;
         }
         forefront::Result<forefront::MeshingOutcome> outcome = meshDomain(*run, progressFor(*job));
@@ -102,9 +102,19 @@ forefront_status forefront_check_mesh(forefront_context *context, const forefron
         if (mesh == nullptr) {
             return badArgument(*context, "the mesh is null");
         }
-        return report(*context, job == nullptr
-                                    ? verify(mesh->mesh)
-                                    : verifyAgainst(mesh->mesh, job->job.domain, job->job.spacing.placed.counts()));
+        if (job == nullptr) {
+            return report(*context, verify(mesh->mesh));
+        }
+        const forefront::MeshingJob &given = job->job;
+        forefront::Domain domain = given.domain;
+        std::vector<std::uint32_t> elements = given.spacing.placed.elements;
+        std::vector<forefront::ElementBias> biases = given.spacing.placed.biases;
+        if (const auto faults = widenStrips(given.strips, given.cracks, given.periodic, domain, elements, biases);
+            !faults.empty()) {
+            return report(*context, faults);
+        }
+        return report(*context, verifyAgainst(mesh->mesh, domain, {elements, biases}, forefront::kMaxListedFaults, {},
+                                              true, given.cracks));
     });
 }
 

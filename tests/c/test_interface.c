@@ -191,6 +191,53 @@ static void test_quadrilaterals_and_expressions(forefront_context *context) {
     forefront_job_free(job);
 }
 
+static void test_lines_and_regions(forefront_context *context) {
+    const double wall[] = {1, 1, 3, 1};
+    forefront_mesh *mesh = NULL, *none = NULL;
+    forefront_job *job = rectangle(context);
+    size_t block, strip = 0;
+    CHECK(forefront_set_size(context, job, 0.25) == FOREFRONT_OK);
+    CHECK(forefront_add_line(context, job, wall, 2, 3) == FOREFRONT_OK);
+    CHECK(forefront_add_strip(context, job, 3, 0.2, 2, NULL, 5) == FOREFRONT_OK);
+    CHECK(forefront_add_strip(context, job, 3, 0.2, 2, "hexes", 0) == FOREFRONT_BAD_ARGUMENT);
+    CHECK(forefront_mesh_domain(context, job, &mesh) == FOREFRONT_OK);
+    for (block = 0; block < forefront_block_count(mesh); ++block) {
+        size_t k;
+        for (k = 0; k < forefront_block_size(mesh, block); ++k) {
+            if (forefront_block_regions(mesh, block)[k] == 5) {
+                CHECK(forefront_block_nodes(mesh, block) == 4);
+                ++strip;
+            }
+        }
+    }
+    CHECK(strip >= 16 && strip % 2 == 0);
+    CHECK(forefront_check_mesh(context, mesh, job) == FOREFRONT_OK);
+    forefront_mesh_free(mesh);
+    CHECK(forefront_add_crack(context, job, 3) == FOREFRONT_OK);
+    CHECK(forefront_mesh_domain(context, job, &none) == FOREFRONT_REFUSED && none == NULL);
+    CHECK(strstr(forefront_faults(context), "strip-line") != NULL);
+    forefront_job_free(job);
+
+    job = rectangle(context);
+    CHECK(forefront_add_mapped(context, job, 1, NULL, 0) == FOREFRONT_OK);
+    CHECK(forefront_add_mapped(context, job, 1, NULL, 4) == FOREFRONT_BAD_ARGUMENT);
+    CHECK(forefront_set_region_elements(context, job, 1, "quads") == FOREFRONT_OK);
+    CHECK(forefront_set_region_elements(context, job, 1, NULL) == FOREFRONT_BAD_ARGUMENT);
+    CHECK(forefront_mesh_domain(context, job, &mesh) == FOREFRONT_OK);
+    CHECK(forefront_block_count(mesh) == 1 && forefront_block_nodes(mesh, 0) == 4);
+    forefront_mesh_free(mesh);
+    CHECK(forefront_add_periodic(context, job, 1, 9) == FOREFRONT_OK);
+    CHECK(forefront_mesh_domain(context, job, &none) == FOREFRONT_REFUSED);
+    forefront_job_free(job);
+
+    job = rectangle(context);
+    CHECK(forefront_add_layers(context, job, 1, 0.01, 1.2, 4, 0.0, "triangles") == FOREFRONT_OK);
+    CHECK(forefront_mesh_domain(context, job, &mesh) == FOREFRONT_OK);
+    CHECK(forefront_block_count(mesh) == 1);
+    forefront_mesh_free(mesh);
+    forefront_job_free(job);
+}
+
 int main(int argc, char **argv) {
     if (argc != 2) {
         fprintf(stderr, "usage: %s FOLDER\n", argv[0]);
@@ -202,6 +249,7 @@ int main(int argc, char **argv) {
     test_faults(context);
     test_functions(context);
     test_quadrilaterals_and_expressions(context);
+    test_lines_and_regions(context);
     forefront_context_free(context);
     printf("%d checks failed\n", failures);
     return failures == 0 ? 0 : 1;

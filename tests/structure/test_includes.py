@@ -8,7 +8,7 @@ from pathlib import Path
 # are equals and must not include each other. "*" stands for all rooms that are not named.
 ORDERS = {
     "core": ["engine", "files", "components", "c", "drawing", "drawing_files", "teaching", "."],
-    "core/engine": ["platform", "base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "layers", "mapped",
+    "core/engine": ["platform", "base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "layers", "strips", "mapped",
                     "mesher", "quads", "refine", "pipeline", "adapt session"],
     "core/engine/spacing": ["spec", "sites", "parts", "."],
     "core/files": ["source", "text", "common", "json", "components", "*", "."],

@@ -1,5 +1,6 @@
 #include "core/drawing/document/equality.hpp"
 #include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/mapped/row_grid.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
 #include <stop_token>
 #include <string>
@@ -214,6 +216,69 @@ TEST_CASE("Mapped faces: what cannot be mapped is refused with its place") {
     job.mapped = {{1}};
     job.spacing.size = 0.3;
     CHECK(refusalOf(job) == "mapped-corners");
+}
+
+TEST_CASE("Mapped faces: numbers that cannot be equal end with a message, in a project with 100,000 of them, too") {
+    // Around a hexagon, each side is longer than the opposite one, which is a part of the next side.
+    MeshingJob job;
+    Domain &domain = job.domain;
+    for (const double r : {1.0, 2.0, 2.2}) {
+        for (int k = 0; k < 6; ++k) {
+            const double angle = k * std::numbers::pi / 3.0;
+            domain.nodes.push_back({r * std::cos(angle), r * std::sin(angle)});
+        }
+    }
+    for (std::uint32_t k = 0; k < 6; ++k) {
+        const std::uint32_t next = (k + 1) % 6;
+        domain.segments.push_back({k, next, 1, SegmentRole::Boundary, {}});
+        domain.segments.push_back({6 + k, 12 + next, 2, SegmentRole::Boundary, {}});
+        domain.segments.push_back({12 + next, 6 + next, 2, SegmentRole::Boundary, {}});
+        domain.segments.push_back({k, 6 + k, 3, SegmentRole::Constraint, {}});
+    }
+    job.spacing.size = 0.4;
+    CHECK(codeOf(job).empty());
+    job.mapped = {{1}};
+    const Result<MeshingOutcome> outcome = meshDomain(job);
+    REQUIRE_FALSE(outcome);
+    CHECK(outcome.faults().front().code == "mapped-sides");
+    CHECK(outcome.faults().front().at.has_value());
+    CHECK(outcome.faults().front().message.find("no numbers make both equal") != std::string::npos);
+
+    std::string list;
+    for (int k = 1; k <= 100'000; ++k) {
+        list += (k > 1 ? "," : "") + ("{\"tag\":" + std::to_string(k)) + ",\"first\":0.01,\"count\":2}";
+    }
+    const auto project = [&](const std::string &layers) {
+        return parseProject(R"({"format": "forefront", "version": 1, "shapes": [
+            {"id": 1, "kind": "rectangle", "use": "boundary", "tag": 7, "name": "", "nodes": [[0, 0], [4, 3]]}],
+            "layers": [)" + layers +
+                                R"(], "nextId": 2})",
+                            "many.json");
+    };
+    const Result<Document> document = project(list);
+    REQUIRE(document);
+    CHECK(document->layers.size() == 100'000);
+    CHECK(jobOf(*document).layers.size() == 1);
+    CHECK_FALSE(project(list + R"(,{"tag": 7, "first": 0.01})"));
+}
+
+TEST_CASE("Mapped faces: corners are kept where nodes are inserted into their sides") {
+    const Result<Document> document = parseProject(R"({"format": "forefront", "version": 1, "shapes": [
+        {"id": 1, "kind": "polygon", "use": "boundary", "tag": 1, "name": "",
+         "nodes": [[0, 0], [4, 0], [4, 1], [0, 1]]}],
+        "mapped": [{"region": 1, "corners": [[0, 0], [4, 0], [4, 1], [0, 1]]}],
+        "nextId": 2})",
+                                                   "corners.json");
+    REQUIRE_MESSAGE(document, toString(document ? Diagnostic() : document.faults().front()));
+    const Result<Document> more = insertNode(*document, {1, 2}, {2, 1.2});
+    REQUIRE(more);
+    MeshingJob mappedJob = jobOf(*more);
+    mappedJob.spacing.size = 0.25;
+    mappedJob.options.elements = Elements::Quads;
+    mappedJob.options.verify = true;
+    const Mesh mesh = meshed(mappedJob).mesh;
+    CHECK(kindsOf(mesh, 1).size() == 1);
+    CHECK(mesh.elementCount() % 4 == 0);
 }
 
 TEST_CASE("Mapped faces: too many elements are refused before they are made, and smoothing is cancelled") {

@@ -221,6 +221,81 @@ TEST_CASE("periodic parts: numbers of elements count on the first part, and give
     CHECK(pairsOf(meshedJob(job).mesh, 0).pairs.size() == 2);
 }
 
+TEST_CASE("periodic parts: a least angle leaves them as they are divided") {
+    MeshingJob job = cell();
+    const std::size_t right = edgesTagged(meshedJob(job).mesh, 2);
+    job.options.leastAngle = 28.0;
+    const MeshingOutcome outcome = meshedJob(job);
+    CHECK(pairsOf(outcome.mesh, 0).exact == pairsOf(outcome.mesh, 0).pairs.size());
+    CHECK(edgesTagged(outcome.mesh, 2) == right);
+    CHECK(pairsOf(outcome.mesh, 1).exact == pairsOf(outcome.mesh, 1).pairs.size());
+}
+
+TEST_CASE("periodic parts: boundary layers that end along them are alike on both, those inside are free") {
+    MeshingJob job = cell();
+    job.periodic = {{4, 2}};
+    job.layers = {LayerSpec{.tag = 1, .first = 0.01, .growth = 1.3, .count = 5},
+                  LayerSpec{.tag = 3, .first = 0.02, .count = 3}};
+    for (const Elements elements : {Elements::Triangles, Elements::Quads}) {
+        job.options.elements = elements;
+        const MeshingOutcome outcome = meshedJob(job);
+        const PeriodicPairs pairs = pairsOf(outcome.mesh, 0);
+        CHECK(pairs.exact == pairs.pairs.size());
+        CHECK(outcome.layers.quadrilaterals > 0);
+        CHECK(outcome.layers.shortened.empty());
+        CHECK(
+            std::ranges::any_of(outcome.mesh.nodes, [](Vec2 p) { return p.x == 0.0 && p.y == doctest::Approx(0.01); }));
+        CHECK(
+            std::ranges::any_of(outcome.mesh.nodes, [](Vec2 p) { return p.x == 1.0 && p.y == doctest::Approx(0.01); }));
+    }
+    // Along one part alone they end, with a report.
+    job = cell();
+    job.periodic = {{4, 2}};
+    job.domain.nodes.push_back({0.5, 0.0});
+    job.domain.segments[0] = {0, 4, 1, SegmentRole::Boundary};
+    job.domain.segments.push_back({4, 1, 5, SegmentRole::Boundary});
+    job.layers = {LayerSpec{.tag = 1, .first = 0.01, .count = 3}};
+    const MeshingOutcome onOne = meshedJob(job);
+    CHECK_FALSE(onOne.layers.shortened.empty());
+    CHECK(pairsOf(onOne.mesh, 0).exact == pairsOf(onOne.mesh, 0).pairs.size());
+    // Of other heights, they are refused with the place.
+    job.layers.push_back(LayerSpec{.tag = 5, .first = 0.02, .count = 3});
+    const Result<MeshingOutcome> differ = meshDomain(job);
+    REQUIRE_FALSE(differ);
+    CHECK(differ.faults().front().code == "periodic-layers");
+    CHECK(differ.faults().front().at.has_value());
+    // Around a hole, they meet no periodic part.
+    job = cell();
+    addLoop(job.domain, {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}}, 9);
+    job.layers = {LayerSpec{.tag = 9, .first = 0.01, .count = 3}};
+    const Mesh around = meshedJob(job).mesh;
+    for (std::size_t link : {0U, 1U}) {
+        CHECK(pairsOf(around, link).exact == pairsOf(around, link).pairs.size());
+    }
+}
+
+TEST_CASE("periodic parts: random passages with layers keep their pairs") {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> number(0.0, 1.0);
+    for (int round = 0; round < 12; ++round) {
+        MeshingJob job;
+        const double lean = number(random) - 0.5, height = 0.6 + number(random);
+        addLoop(job.domain, {{0, 0}, {0.5, 0.2 * number(random)}, {1, 0}, {1 + lean, height}, {lean, height}});
+        for (std::size_t s = 0; s < 5; ++s) {
+            job.domain.segments[s].tag = std::vector<std::int32_t>{1, 1, 2, 3, 4}[s];
+        }
+        job.spacing.expression = "0.05 + 0.05*x + 0.04*y";
+        job.periodic = {{4, 2}};
+        job.layers = {LayerSpec{.tag = 1, .first = 0.004 + 0.02 * number(random), .growth = 1.2}};
+        if (round % 2 == 0) {
+            job.layers.push_back(LayerSpec{.tag = 3, .first = 0.01, .growth = 1.4, .count = 4});
+        }
+        job.options.verify = true;
+        const Mesh mesh = meshedJob(job).mesh;
+        CHECK(pairsOf(mesh, 0).exact == pairsOf(mesh, 0).pairs.size());
+    }
+}
+
 TEST_CASE("periodic parts: what cannot be paired is refused with its place") {
     MeshingJob job = cell();
     job.domain.nodes[2].y = 1.01;
@@ -236,9 +311,6 @@ TEST_CASE("periodic parts: what cannot be paired is refused with its place") {
     CHECK(refusalOf(job) == "repeated-periodic");
     job.periodic = {{4, 2}, {2, 1}};
     CHECK(refusalOf(job) == "repeated-periodic");
-    job = cell();
-    job.options.leastAngle = 25.0;
-    CHECK(refusalOf(job) == "least-angle");
     job = cell();
     job.layers = {LayerSpec{.tag = 1, .first = 0.01, .count = 2}};
     CHECK(refusalOf(job) == "periodic-layers");
@@ -304,8 +376,9 @@ TEST_CASE("periodic parts: pairs with unknown nodes are skipped, those of other 
 TEST_CASE("periodic parts: those of a mesh are left out beside what excludes them, those asked for are kept") {
     MeshingJob job = cell();
     const std::vector<PeriodicSpec> ofMesh{{4, 2}};
-    CHECK(leaveOutExcludedPeriodic(job, ofMesh).empty());
     job.options.leastAngle = 25.0;
+    CHECK(leaveOutExcludedPeriodic(job, ofMesh).empty());
+    job.layers = {LayerSpec{.tag = 2, .first = 0.01, .count = 2}};
     CHECK(leaveOutExcludedPeriodic(job, ofMesh).size() == 1);
     CHECK(job.periodic == std::vector<PeriodicSpec>{{1, 3}});
 }

@@ -80,6 +80,39 @@ class Domain(_core.DomainBase):
         """Makes the face that contains a point a hole. Faces without a marker are then inside the domain."""
         super().hole(at)
 
+    def add_layers(self, part: Union[str, int], first: float, growth: float = 1.2, count: Optional[int] = None,
+                   thickness: Optional[float] = None, elements: str = "quads") -> None:
+        """Adds boundary layers on a part: rows of thin elements, each higher than the one below by the factor growth.
+
+        first: height of the first layer. count, or thickness of all layers; neither: until their elements are
+        isotropic. elements: "quads" or "triangles".
+        """
+        super().add_layers(part, first, growth, count, thickness, elements)
+
+    def add_crack(self, line: Union[str, int]) -> None:
+        """Makes a crack of an inner line: the elements on its two sides get nodes of their own."""
+        super().add_crack(line)
+
+    def add_periodic(self, first: Union[str, int], second: Union[str, int]) -> None:
+        """Divides two boundary parts alike, the second of which is the first one moved or turned."""
+        super().add_periodic(first, second)
+
+    def add_mapped(self, region: Union[str, int], corners: Any = None) -> None:
+        """Fills the faces of a region by rows of elements. corners: shape (n, 2), 3 or 4 nodes of each face."""
+        super().add_mapped(region, corners)
+
+    def add_strip(self, line: Union[str, int], width: float, rows: int, elements: str = "quads",
+                  region: Union[None, str, int] = None) -> None:
+        """Gives an inner line a width, and fills the strip along it by rows of elements.
+
+        elements: "quads" or "triangles". region: of the strip; None: one of its own, with the name of the line.
+        """
+        super().add_strip(line, width, rows, elements, region)
+
+    def set_elements(self, region: Union[str, int], elements: str) -> None:
+        """Sets the shapes of the elements of a region: "triangles", "quads" or "mixed"."""
+        super().set_elements(region, elements)
+
     def validate(self, limit: int = 200) -> List[Fault]:
         """Returns the faults of the domain, with places, at most ``limit``; empty if it can be meshed."""
         return super().validate(limit)

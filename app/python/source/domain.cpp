@@ -43,7 +43,8 @@ std::int32_t largestTag(const Domain &domain) {
     return tag;
 }
 
-/// Returns the tag of a boundary part given by its name or number; None: 1.
+} // namespace
+
 std::int32_t boundaryTag(Domain &domain, const py::handle &part) {
     if (part.is_none()) {
         return 1;
@@ -62,6 +63,8 @@ std::int32_t regionTag(Domain &domain, const py::handle &part) {
     return py::isinstance<py::str>(part) ? tagOfName(domain.regionNames, part.cast<std::string>(), used)
                                          : part.cast<std::int32_t>();
 }
+
+namespace {
 
 bool isSequence(const py::object &names) {
     return !names.is_none() && !py::isinstance<py::str>(names) && py::isinstance<py::sequence>(names);
@@ -275,6 +278,7 @@ void bindDomain(py::module_ &module) {
     py::class_<PythonDomain> domain(module, "DomainBase");
     domain.def(py::init<>()).def(py::init<const PythonDomain &>());
     bindParts(domain);
+    bindLinked(domain);
     bindProperties(domain);
     domain
         .def(

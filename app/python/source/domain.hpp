@@ -16,13 +16,23 @@ struct PythonDomain {
     Domain domain;
     SpacingSpec spacing;
     MeshingOptions options;
-    std::vector<std::int32_t> cracks{};   ///< see MeshingJob::cracks
-    std::vector<PeriodicSpec> periodic{}; ///< see MeshingJob::periodic
-    std::vector<MappedSpec> mapped{};     ///< see MeshingJob::mapped
-    bool fromMesh = false;                ///< nobody asked for `periodic`: a mesh file shows it
+    std::vector<std::int32_t> cracks{};           ///< see MeshingJob::cracks
+    std::vector<PeriodicSpec> periodic{};         ///< see MeshingJob::periodic
+    std::vector<MappedSpec> mapped{};             ///< see MeshingJob::mapped
+    std::vector<StripSpec> strips{};              ///< see MeshingJob::strips
+    std::vector<LayerSpec> layers{};              ///< see MeshingJob::layers
+    std::vector<RegionElements> regionElements{}; ///< see MeshingJob::regionElements
+    std::vector<PeriodicSpec> periodicOfMesh{};   ///< of `periodic`: nobody asked for them, a mesh file shows them
 };
+
+/// Returns the tag of a boundary part given by its name, which is added if it is new, or by its number; None: 1.
+std::int32_t boundaryTag(Domain &domain, const py::handle &part);
+/// Returns the tag of a region given by its name, which is added if it is new, or by its number.
+std::int32_t regionTag(Domain &domain, const py::handle &part);
 
 /// Adds the base class of forefront.Domain to the module.
 void bindDomain(py::module_ &module);
+/// Adds the methods for layers, cracks, periodic parts, mapped regions, strips and elements of regions.
+void bindLinked(py::class_<PythonDomain> &domain);
 
 } // namespace forefront::python

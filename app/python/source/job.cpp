@@ -166,6 +166,9 @@ MeshingJob jobOf(const PythonDomain &domain, const SpacingSpec &sizes, bool repl
     job.cracks = domain.cracks;
     job.periodic = domain.periodic;
     job.mapped = domain.mapped;
+    job.strips = domain.strips;
+    job.layers = domain.layers;
+    job.regionElements = domain.regionElements;
     SpacingSpec &spacing = job.spacing;
     if (replaces) {
         spacing.replaceRules(sizes);

@@ -77,9 +77,17 @@ MeshLimits limitsOf(const std::map<std::string, double> &given) {
 
 py::list checkMesh(const PythonMesh &self, const PythonDomain *checked, const std::map<std::string, double> &given) {
     // A copy: another thread may change the domain meanwhile.
-    const std::optional<PythonDomain> domain = checked != nullptr ? std::optional(*checked) : std::nullopt;
+    std::optional<PythonDomain> domain = checked != nullptr ? std::optional(*checked) : std::nullopt;
     const MeshLimits limits = limitsOf(given);
     return faultList(withoutGil([&] {
+        if (domain) {
+            PlacedSizes &placed = domain->spacing.placed;
+            if (Diagnostics wrong = widenStrips(domain->strips, domain->cracks, domain->periodic, domain->domain,
+                                                placed.elements, placed.biases);
+                !wrong.empty()) {
+                return wrong;
+            }
+        }
         Diagnostics faults = domain ? verifyAgainst(*self.mesh, domain->domain, domain->spacing.placed.counts(),
                                                     kMaxListedFaults, {}, true, domain->cracks)
                                     : verify(*self.mesh);

@@ -29,7 +29,7 @@ namespace {
 PythonMesh meshDomainOf(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces,
                         const MeshingOptions &options, const py::object &callback) {
     MeshingJob job = jobOf(domain, sizes, replaces, options);
-    const Diagnostics leftOut = domain.fromMesh ? leaveOutExcludedPeriodic(job, domain.periodic) : Diagnostics();
+    const Diagnostics leftOut = leaveOutExcludedPeriodic(job, domain.periodicOfMesh);
     const Progress progress = progressOf(callback);
     MeshingOutcome outcome = valueOrRaise(withoutGil([&] { return meshDomain(job, progress); }));
     MadeBy made{outcome.work,    outcome.quads,          options.leastAngle,  outcome.leastAngle,     options.elements,
@@ -134,6 +134,7 @@ py::tuple adapt(const PythonMesh &self, const PythonDomain *domain, const py::ob
         job.cracks = domain->cracks;
         job.periodic = domain->periodic;
         job.mapped = domain->mapped;
+        job.strips = domain->strips;
     } else {
         MeshDomain outline = valueOrRaise(outlineOf(*self.mesh));
         job.domain = std::move(outline.domain);
@@ -165,8 +166,9 @@ void bindMeshing(py::module_ &module) {
     module.def("adapt", &adapt);
     module.def("outline", [](const PythonMesh &self) {
         MeshDomain outline = valueOrRaise(withoutGil([&] { return outlineOf(*self.mesh); }));
-        return PythonDomain{std::move(outline.domain),   {}, {},  std::move(outline.cracks),
-                            std::move(outline.periodic), {}, true};
+        PythonDomain domain{std::move(outline.domain), {}, {}, std::move(outline.cracks), std::move(outline.periodic)};
+        domain.periodicOfMesh = domain.periodic;
+        return domain;
     });
 }
 

@@ -93,15 +93,18 @@ Result<PythonDomain> readDomainFile(const PythonFile &file, ImportNotes &notes) 
             return document.faults();
         }
         MeshingJob job = forefront::jobOf(*document);
-        return PythonDomain{std::move(job.domain),   std::move(job.spacing), job.options, std::move(job.cracks),
-                            std::move(job.periodic), std::move(job.mapped),  false};
+        return PythonDomain{std::move(job.domain), std::move(job.spacing),  job.options,
+                            std::move(job.cracks), std::move(job.periodic), std::move(job.mapped),
+                            std::move(job.strips), std::move(job.layers),   std::move(job.regionElements)};
     }
     Result<DomainFile> read = allFormats().readDomain(file.path, file.options, &notes);
     if (!read) {
         return read.faults();
     }
-    return PythonDomain{std::move(read->domain),   std::move(read->spacing), {},  std::move(read->cracks),
-                        std::move(read->periodic), std::move(read->mapped),  true};
+    PythonDomain domain{std::move(read->domain), std::move(read->spacing),  {},
+                        std::move(read->cracks), std::move(read->periodic), std::move(read->mapped)};
+    domain.periodicOfMesh = domain.periodic;
+    return domain;
 }
 
 py::tuple readDomainOf(const py::object &source, const std::string &format, const py::dict &given) {

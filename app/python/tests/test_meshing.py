@@ -192,3 +192,62 @@ def test_adapting_lowers_the_error(plate):
         ff.adapt(coarse, lambda mesh: 1 / 0, 0.1)
     with pytest.raises(ValueError, match="one for each of the"):
         ff.adapt(coarse, [1.0, 2.0], 0.1)
+
+
+def _square(width=2.0, height=1.0):
+    domain = ff.Domain()
+    domain.add_loop([(0, 0), (width, 0), (width, height), (0, height)], names=["bottom", "right", "top", "left"])
+    return domain
+
+
+def _counts(mesh, region):
+    blocks = mesh.blocks
+    first, counts = 0, {}
+    tag = next(tag for tag, name in mesh.region_names.items() if name == region)
+    for kind, elements in blocks.items():
+        inside = int((mesh.regions[first:first + len(elements)] == tag).sum())
+        first += len(elements)
+        if inside:
+            counts[kind] = inside
+    return counts
+
+
+def test_a_strip_is_a_region_of_rows():
+    domain = _square()
+    domain.add_line([(0.5, 0.5), (1.5, 0.5)], "wall")
+    domain.add_strip("wall", width=0.1, rows=2)
+    mesh = ff.mesh(domain, 0.2, verify=True)
+    assert list(_counts(mesh, "wall")) == ["quadrilateral4"]
+    assert mesh.check(domain) == []
+    domain.add_strip("wall", 0.1, 2, elements="triangles")
+    assert list(_counts(ff.mesh(domain, 0.2, verify=True), "wall")) == ["triangle3"]
+    domain.add_strip("wall", 1.5, 2)
+    with pytest.raises(ff.MeshError) as caught:
+        ff.mesh(domain, 0.2)
+    assert caught.value.faults[0].code == "strip-room"
+    with pytest.raises(ValueError, match="elements: expected"):
+        domain.add_strip("wall", 0.1, 2, elements="hexes")
+
+
+def test_cracks_periodic_parts_layers_mapped_regions_and_elements():
+    domain = _square()
+    domain.add_line([(0.5, 0.5), (1.5, 0.5)], "joint")
+    plain = ff.mesh(domain, 0.2)
+    domain.add_crack("joint")
+    opened = ff.mesh(domain, 0.2, verify=True)
+    assert len(opened.nodes) > len(plain.nodes)
+    assert opened.check(domain) == []
+    domain = _square()
+    domain.add_periodic("left", "right")
+    domain.add_layers("bottom", first=0.02, count=3)
+    mesh = ff.mesh(domain, "0.05 + 0.1*x", verify=True)
+    left, right = (np.sort(mesh.nodes[mesh.nodes_of(name)][:, 1]) for name in ("left", "right"))
+    assert np.array_equal(left, right)
+    domain = _square()
+    domain.region((1, 0.5), "plate")
+    domain.add_mapped("plate")
+    domain.set_elements("plate", "quads")
+    mesh = ff.mesh(domain, 0.25, verify=True)
+    assert _counts(mesh, "plate") == {"quadrilateral4": 32}
+    with pytest.raises(ValueError, match="elements: expected"):
+        domain.set_elements("plate", "hexes")

@@ -135,12 +135,26 @@ Document inserted(const Document &document, const Document &other, double scale,
     std::copy_if(other.cracks.begin(), other.cracks.end(), std::back_inserter(next.cracks), [&](std::int32_t tag) {
         return !std::binary_search(known.begin(), known.end(), tag) && std::ranges::count(document.cracks, tag) == 0;
     });
-    for (const MappedSpec &spec : other.mapped) {
+    for (StripSpec spec : other.strips) {
         const bool taken =
-            (spec.region == 1 && !document.shapes.empty()) || // faces without a marker
-            std::ranges::any_of(document.mapped, [&](const auto &own) { return own.region == spec.region; }) ||
-            std::ranges::any_of(document.regionMarkers, [&](const auto &own) { return own.tag == spec.region; });
-        if (!taken) {
+            std::ranges::any_of(document.strips, [&](const StripSpec &own) { return own.tag == spec.tag; });
+        if (!taken && !std::binary_search(known.begin(), known.end(), spec.tag)) {
+            spec.width *= scale;
+            next.strips.push_back(spec);
+        }
+    }
+    const auto has = [](const auto &list, std::int32_t region) {
+        return std::ranges::any_of(list, [&](const auto &own) { return own.region == region; });
+    };
+    const auto isNewRegion = [&](std::int32_t region) {
+        return !(region == 1 && !document.shapes.empty()) && // faces without a marker
+               std::ranges::none_of(document.regionMarkers, [&](const auto &own) { return own.tag == region; });
+    };
+    std::ranges::copy_if(other.regionElements, std::back_inserter(next.regionElements), [&](const auto &own) {
+        return isNewRegion(own.region) && !has(document.regionElements, own.region);
+    });
+    for (const MappedSpec &spec : other.mapped) {
+        if (isNewRegion(spec.region) && !has(document.mapped, spec.region)) {
             MappedSpec &copy = next.mapped.emplace_back(spec);
             std::ranges::transform(copy.corners, copy.corners.begin(), [scale](Vec2 p) { return scale * p; });
         }

@@ -127,6 +127,9 @@ Result<Document> scaleDocument(const Document &document, Vec2 fixed, double fact
         layer.first *= factor;
         scaleSizes(layer.thickness, factor);
     }
+    for (StripSpec &spec : next.strips) {
+        spec.width *= factor;
+    }
     next.curveTolerance *= factor;
     scaleSpacing(next.spacing, map, factor);
     for (Guide &guide : next.guides) {

@@ -14,6 +14,7 @@
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
+#include "core/engine/strips/strip_spec.hpp"
 
 #include <cstdint>
 #include <map>
@@ -73,10 +74,12 @@ struct Document {
     SpacingSpec spacing;
     /// Numbers of elements of boundary parts, by tag, in place of sizes in `spacing`.
     std::map<std::int32_t, PartElements> elementCounts;
-    std::vector<LayerSpec> layers;      ///< boundary layers, at most one specification for each tag
-    std::vector<PeriodicSpec> periodic; ///< tags that are divided alike, each in one pair at most
-    std::vector<std::int32_t> cracks;   ///< tags of inner lines that are cracks, each once
-    std::vector<MappedSpec> mapped;     ///< regions that are filled by rows, each once
+    std::vector<LayerSpec> layers;              ///< boundary layers, at most one specification for each tag
+    std::vector<PeriodicSpec> periodic;         ///< tags that are divided alike, each in one pair at most
+    std::vector<std::int32_t> cracks;           ///< tags of inner lines that are cracks, each once
+    std::vector<MappedSpec> mapped;             ///< regions that are filled by rows, each once
+    std::vector<StripSpec> strips;              ///< inner lines with a width, at most one specification for each tag
+    std::vector<RegionElements> regionElements; ///< regions with other elements than `options` asks for, each once
     MeshingOptions options;
     MeshLimits limits; ///< that its meshes must meet
     /// Maximum distance between a curve and its chords in the domain, relative to the radius of a circle or the size of

@@ -22,7 +22,8 @@ bool sameContent(const Document &a, const Document &b) {
     return a.options == b.options && a.limits == b.limits && a.parameters == b.parameters && a.formulas == b.formulas &&
            a.picture == b.picture && a.unit == b.unit && a.guides == b.guides && a.elementCounts == b.elementCounts &&
            a.layers == b.layers && a.periodic == b.periodic && a.cracks == b.cracks && a.mapped == b.mapped &&
-           sameDomain(a, b) && sameConstraints(a, b) && sameContent(a.spacing, b.spacing);
+           a.strips == b.strips && a.regionElements == b.regionElements && sameDomain(a, b) && sameConstraints(a, b) &&
+           sameContent(a.spacing, b.spacing);
 }
 
 } // namespace forefront

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <unordered_set>
 
 namespace forefront {
 namespace {
@@ -217,22 +218,27 @@ MeshingJob jobOf(const Document &document) {
     job.spacing.placed.elements = made.elements();
     job.spacing.placed.biases = made.biases();
     job.spacing.placed.segments = made.sizes();
-    // A deleted part may have left its layers, its periodic partner, its crack or its rows, as it may its size.
-    const auto present = [&](std::int32_t tag) {
-        return std::any_of(job.domain.segments.begin(), job.domain.segments.end(),
-                           [&](const DomainSegment &segment) { return segment.tag == tag; });
-    };
+    // A deleted part may have left its layers, its periodic partner, its crack, its strip or its rows, as it may its
+    // size.
+    std::unordered_set<std::int32_t> tags, regions{1};
+    for (const DomainSegment &segment : job.domain.segments) {
+        tags.insert(segment.tag);
+    }
+    for (const MarkedRegion &marker : document.regionMarkers) {
+        regions.insert(marker.tag);
+    }
+    const auto present = [&](std::int32_t tag) { return tags.contains(tag); };
     std::copy_if(document.layers.begin(), document.layers.end(), std::back_inserter(job.layers),
                  [&](const LayerSpec &layer) { return present(layer.tag); });
     std::copy_if(document.periodic.begin(), document.periodic.end(), std::back_inserter(job.periodic),
                  [&](const PeriodicSpec &spec) { return present(spec.from) && present(spec.to); });
     std::copy_if(document.cracks.begin(), document.cracks.end(), std::back_inserter(job.cracks), present);
+    std::copy_if(document.strips.begin(), document.strips.end(), std::back_inserter(job.strips),
+                 [&](const StripSpec &spec) { return present(spec.tag); });
     std::copy_if(document.mapped.begin(), document.mapped.end(), std::back_inserter(job.mapped),
-                 [&](const MappedSpec &spec) {
-                     return spec.region == 1 ||
-                            std::any_of(document.regionMarkers.begin(), document.regionMarkers.end(),
-                                        [&](const MarkedRegion &marker) { return marker.tag == spec.region; });
-                 });
+                 [&](const MappedSpec &spec) { return regions.contains(spec.region); });
+    std::copy_if(document.regionElements.begin(), document.regionElements.end(), std::back_inserter(job.regionElements),
+                 [&](const RegionElements &own) { return regions.contains(own.region); });
     return job;
 }
 

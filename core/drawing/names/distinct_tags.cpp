@@ -85,6 +85,9 @@ void retagBoundaries(Document &document, const Tags &tags) {
     for (std::int32_t &tag : document.cracks) {
         tag = newTag(tags, tag);
     }
+    for (StripSpec &spec : document.strips) {
+        spec.tag = newTag(tags, spec.tag);
+    }
     std::map<NumberAddress, std::string> formulas;
     for (const auto &[given, text] : document.formulas) {
         NumberAddress address = given;
@@ -103,6 +106,12 @@ void retagRegions(Document &document, const Tags &tags) {
     for (MappedSpec &spec : document.mapped) {
         spec.region = newTag(tags, spec.region);
     }
+    for (StripSpec &spec : document.strips) {
+        spec.region = newTag(tags, spec.region);
+    }
+    for (RegionElements &own : document.regionElements) {
+        own.region = newTag(tags, own.region);
+    }
     document.regionNames = retagged(document.regionNames, tags);
 }
 
@@ -111,6 +120,11 @@ std::vector<std::int32_t> markedTags(const Document &document) {
     std::vector<std::int32_t> tags;
     for (const MarkedRegion &marker : document.regionMarkers) {
         tags.push_back(marker.tag);
+    }
+    for (const StripSpec &spec : document.strips) {
+        if (spec.region > 0) {
+            tags.push_back(spec.region);
+        }
     }
     std::sort(tags.begin(), tags.end());
     tags.erase(std::unique(tags.begin(), tags.end()), tags.end());

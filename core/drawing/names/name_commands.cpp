@@ -73,6 +73,9 @@ std::int32_t freeBoundaryTag(const Document &document) {
     for (const std::int32_t tag : document.cracks) {
         last = std::max(last, tag);
     }
+    for (const StripSpec &spec : document.strips) {
+        last = std::max(last, spec.tag);
+    }
     return last < std::numeric_limits<std::int32_t>::max() ? last + 1 : last;
 }
 
@@ -115,6 +118,7 @@ Result<Document> renameBoundaryTag(const Document &document, std::int32_t tag, c
     std::erase_if(merged.layers, [&](const LayerSpec &layer) { return layer.tag == tag; });
     std::erase_if(merged.periodic, [&](const PeriodicSpec &spec) { return spec.from == tag || spec.to == tag; });
     std::erase(merged.cracks, tag);
+    std::erase_if(merged.strips, [&](const StripSpec &spec) { return spec.tag == tag; });
     return all.shapes.empty() && all.segments.empty() ? merged : nameBoundaryPart(merged, all, name);
 }
 

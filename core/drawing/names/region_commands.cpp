@@ -173,6 +173,12 @@ std::int32_t freeRegionTag(const Document &document) {
     for (const MappedSpec &spec : document.mapped) { // of a deleted region
         last = std::max(last, spec.region);
     }
+    for (const StripSpec &spec : document.strips) {
+        last = std::max(last, spec.region);
+    }
+    for (const RegionElements &own : document.regionElements) {
+        last = std::max(last, own.region);
+    }
     return last < std::numeric_limits<std::int32_t>::max() ? last + 1 : last;
 }
 

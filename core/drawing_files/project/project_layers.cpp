@@ -1,6 +1,7 @@
 #include "core/drawing_files/project/project_layers.hpp"
 
-#include <algorithm>
+#include <cstdint>
+#include <set>
 #include <string>
 
 namespace forefront {
@@ -29,7 +30,8 @@ void writeLayers(const Document &document, JsonText &out) {
 
 namespace {
 
-void readLayer(const JsonValue &item, Document &document, JsonCheck &check) {
+/// `seen`: tags of the layers read so far.
+void readLayer(const JsonValue &item, std::set<std::int32_t> &seen, Document &document, JsonCheck &check) {
     if (!check.expect(item, JsonKind::Object, "boundary layers")) {
         return;
     }
@@ -60,8 +62,7 @@ void readLayer(const JsonValue &item, Document &document, JsonCheck &check) {
     }
     if (const auto fault = layerFault(layer, "tag " + std::to_string(layer.tag))) {
         check.fault(item, fault->code.c_str(), fault->message);
-    } else if (std::any_of(document.layers.begin(), document.layers.end(),
-                           [&](const LayerSpec &other) { return other.tag == layer.tag; })) {
+    } else if (!seen.insert(layer.tag).second) {
         check.fault(item, "bad-tag", "tag " + std::to_string(layer.tag) + " already has boundary layers");
     } else {
         document.layers.push_back(layer);
@@ -75,11 +76,12 @@ void readLayers(const JsonValue &root, Document &document, JsonCheck &check) {
     if (!list || !check.expect(*list, JsonKind::Array, "\"layers\"")) {
         return;
     }
+    std::set<std::int32_t> seen;
     for (const JsonValue item : *list) {
         if (check.full()) {
             return;
         }
-        readLayer(item, document, check);
+        readLayer(item, seen, document, check);
     }
 }
 

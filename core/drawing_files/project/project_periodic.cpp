@@ -1,6 +1,7 @@
 #include "core/drawing_files/project/project_periodic.hpp"
 
-#include <algorithm>
+#include <cstdint>
+#include <set>
 #include <string>
 
 namespace forefront {
@@ -17,7 +18,8 @@ void writePeriodic(const Document &document, JsonText &out) {
 
 namespace {
 
-void readPeriodicPair(const JsonValue &item, Document &document, JsonCheck &check) {
+/// `seen`: tags of the pairs read so far.
+void readPeriodicPair(const JsonValue &item, std::set<std::int32_t> &seen, Document &document, JsonCheck &check) {
     if (!check.expect(item, JsonKind::Object, "a pair of periodic parts")) {
         return;
     }
@@ -34,9 +36,7 @@ void readPeriodicPair(const JsonValue &item, Document &document, JsonCheck &chec
         return;
     }
     for (const std::int32_t tag : {spec.from, spec.to}) {
-        const bool used = std::any_of(document.periodic.begin(), document.periodic.end(),
-                                      [&](const auto &other) { return other.from == tag || other.to == tag; });
-        if (used || spec.from == spec.to) {
+        if (!seen.insert(tag).second) {
             check.fault(item, "bad-tag", "tag " + std::to_string(tag) + " is periodic twice; expected each tag once");
             return;
         }
@@ -51,11 +51,12 @@ void readPeriodic(const JsonValue &root, Document &document, JsonCheck &check) {
     if (!list || !check.expect(*list, JsonKind::Array, "\"periodic\"")) {
         return;
     }
+    std::set<std::int32_t> seen;
     for (const JsonValue item : *list) {
         if (check.full()) {
             return;
         }
-        readPeriodicPair(item, document, check);
+        readPeriodicPair(item, seen, document, check);
     }
 }
 

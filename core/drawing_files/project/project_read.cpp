@@ -13,7 +13,9 @@
 #include "core/drawing_files/project/project_parameters.hpp"
 #include "core/drawing_files/project/project_periodic.hpp"
 #include "core/drawing_files/project/project_picture.hpp"
+#include "core/drawing_files/project/project_region_elements.hpp"
 #include "core/drawing_files/project/project_spacing.hpp"
+#include "core/drawing_files/project/project_strips.hpp"
 #include "core/drawing_files/project/project_words.hpp"
 #include "core/files/json/json_check.hpp"
 #include "core/files/json/json_outline.hpp"
@@ -84,15 +86,17 @@ class ProjectReader {
         readPeriodic(root, document_, check_);
         readCracks(root, document_, check_);
         readMapped(root, document_, check_);
+        readStrips(root, document_, check_);
+        readRegionElements(root, document_, check_);
         readParameters(root, source_.options.parameters, document_, check_);
         if (!check_.faults().empty()) {
             return check_.faults();
         }
-        check_.noteUnknown(root, {"format",          "version",        "shapes",     "regionMarkers", "boundaryNames",
-                                  "regionNames",     "spacing",        "options",    "limits",        "nextId",
-                                  "circleTolerance", "curveTolerance", "parameters", "formulas",      "picture",
-                                  "elementCounts",   "constraints",    "guides",     "layers",        "periodic",
-                                  "cracks",          "mapped",         "unit"});
+        check_.noteUnknown(root, {"format",          "version",        "shapes",     "regionMarkers",  "boundaryNames",
+                                  "regionNames",     "spacing",        "options",    "limits",         "nextId",
+                                  "circleTolerance", "curveTolerance", "parameters", "formulas",       "picture",
+                                  "elementCounts",   "constraints",    "guides",     "layers",         "periodic",
+                                  "cracks",          "mapped",         "strips",     "regionElements", "unit"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }

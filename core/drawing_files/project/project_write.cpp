@@ -9,7 +9,9 @@
 #include "core/drawing_files/project/project_node_sizes.hpp"
 #include "core/drawing_files/project/project_periodic.hpp"
 #include "core/drawing_files/project/project_picture.hpp"
+#include "core/drawing_files/project/project_region_elements.hpp"
 #include "core/drawing_files/project/project_spacing.hpp"
+#include "core/drawing_files/project/project_strips.hpp"
 #include "core/drawing_files/project/project_words.hpp"
 #include "core/files/json/json.hpp"
 #include "core/files/json/json_text.hpp"
@@ -43,6 +45,8 @@ class ProjectWriter {
         writePeriodic(document, out_);
         writeCracks(document, out_);
         writeMapped(document, out_);
+        writeStrips(document, out_);
+        writeRegionElements(document, out_);
         options(document.options);
         limits(document.limits);
         out_ << ",\n  \"circleTolerance\": ";

@@ -42,7 +42,9 @@ void addRound(AdaptOutcome &outcome, const TriMesh &mesh, const std::vector<doub
 /// may be that of the outcome. Returns the faults.
 Diagnostics remesh(AdaptOutcome &outcome, const MeshingJob &given, const TriMesh &mesh, const ErrorEstimate &estimate,
                    const AdaptTarget &target, const Progress &progress) {
-    if (given.options.elements != Elements::Triangles) {
+    if (given.options.elements != Elements::Triangles ||
+        std::ranges::any_of(given.regionElements,
+                            [](const RegionElements &own) { return own.elements != Elements::Triangles; })) {
         return error("not-triangles", "adaptive meshing makes triangles alone", "choose triangles as elements");
     }
     if (given.options.order != ElementOrder::First) {
@@ -57,6 +59,10 @@ Diagnostics remesh(AdaptOutcome &outcome, const MeshingJob &given, const TriMesh
     job.cracks = given.cracks;
     job.periodic = given.periodic;
     job.mapped = given.mapped;
+    job.strips = given.strips;
+    for (StripSpec &strip : job.strips) {
+        strip.cells = LayerCells::Triangles;
+    }
     Result<MeshingOutcome> next = meshDomain(job, progress);
     if (!next) {
         return next.faults();

@@ -1,9 +1,11 @@
 #include "core/engine/domain/crack_lines.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -31,19 +33,23 @@ std::set<std::uint32_t> nodesOfPeriodic(std::span<const PeriodicSpec> periodic, 
 Diagnostics checkCrackLines(std::span<const std::int32_t> cracks, std::span<const PeriodicSpec> periodic,
                             const Domain &domain, const DomainFaces &faces) {
     const std::set<std::uint32_t> paired = nodesOfPeriodic(periodic, domain);
+    std::map<std::int32_t, std::vector<std::uint32_t>> lines;
+    for (const std::int32_t tag : cracks) {
+        lines[tag];
+    }
+    for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
+        if (const auto line = lines.find(domain.segments[s].tag); line != lines.end()) {
+            line->second.push_back(s);
+        }
+    }
     std::set<std::int32_t> seen;
     for (const std::int32_t tag : cracks) {
         const std::string name = "crack " + boundaryName(domain.boundaryNames, tag);
         if (!seen.insert(tag).second) {
             return error("repeated-crack", name + " is given twice", "keep one of them");
         }
-        bool found = false;
-        for (std::size_t s = 0; s < domain.segments.size(); ++s) {
+        for (const std::uint32_t s : lines[tag]) {
             const DomainSegment &segment = domain.segments[s];
-            if (segment.tag != tag) {
-                continue;
-            }
-            found = true;
             if (faces.labels.inside[faces.faces.left[s]] == 0 || faces.labels.inside[faces.faces.right[s]] == 0) {
                 return crackFault(
                     "crack-outside", name + " has the domain on one side alone; expected a line inside the domain",
@@ -57,7 +63,7 @@ Diagnostics checkCrackLines(std::span<const std::int32_t> cracks, std::span<cons
                 }
             }
         }
-        if (!found) {
+        if (lines[tag].empty()) {
             return error("unknown-boundary", name + ": boundary part not found", "choose a line of the domain");
         }
     }

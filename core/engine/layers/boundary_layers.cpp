@@ -6,6 +6,7 @@
 #include "core/engine/layers/layer_cut.hpp"
 #include "core/engine/layers/layer_elements.hpp"
 #include "core/engine/layers/layer_limits.hpp"
+#include "core/engine/layers/layer_periodic.hpp"
 #include "core/engine/layers/layer_rays.hpp"
 #include "core/engine/layers/layer_repair.hpp"
 #include "core/engine/layers/layered_field.hpp"
@@ -66,18 +67,25 @@ Result<std::vector<RayChain>> finishedRays(const LayerRequest &request, const Di
     if (!limitByObstacles(boundary, heights, request.specs, chains, progress)) {
         return cancelled("meshing");
     }
-    for (RayChain &chain : chains) {
-        levelLayers(chain);
-    }
+    const auto level = [&] { std::ranges::for_each(chains, levelLayers); };
+    const auto match = [&] {
+        return request.periodic != nullptr && matchPeriodicEnds(*request.periodic, request.domain, chains);
+    };
+    do {
+        level();
+    } while (match());
     if (const double count = elementsOf(chains, request.specs); count > request.maxElements) {
         return error("too-many-elements",
                      "the boundary layers need about " + numberText(count, 3) + " elements; expected at most " +
                          numberText(request.maxElements, 3),
                      "ask for fewer layers or longer wall edges, or raise the maximum number of elements");
     }
-    if (!repairLayers(boundary, heights, chains, progress)) {
-        return cancelled("meshing");
-    }
+    do {
+        level();
+        if (!repairLayers(boundary, heights, chains, progress)) {
+            return cancelled("meshing");
+        }
+    } while (match());
     return chains;
 }
 
@@ -112,7 +120,7 @@ Result<BuiltLayers> buildLayers(const LayerRequest &request, std::shared_ptr<con
     if (!field) {
         return field.faults();
     }
-    Result<CutBoundary> cut = cutWhereSliding(*boundary, heights, **field, chains, progress);
+    Result<CutBoundary> cut = cutWhereSliding(*boundary, heights, **field, request.periodic, chains, progress);
     if (!cut) {
         return cut.faults();
     }

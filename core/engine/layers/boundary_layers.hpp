@@ -43,6 +43,7 @@ struct LayerRequest {
     bool keepBoundary = false;        ///< no segment may be divided in another way
     double gradation = 0.2;           ///< growth of the size from the tops of the layers, per unit of distance
     double maxElements = std::numeric_limits<double>::infinity(); ///< of the layers
+    const PeriodicSides *periodic = nullptr;                      ///< parts that are divided alike; null: none
 };
 
 /// Layers together with what they change.
@@ -53,8 +54,9 @@ struct BuiltLayers {
     std::shared_ptr<const SpacingField> spacing; ///< at most the length of a top edge there
 };
 
-/// Builds the layers on a discretised boundary. They do not depend on the number of threads. Errors: too-many-nodes,
-/// too-many-elements (before the elements are made), cancelled.
+/// Builds the layers on a discretised boundary. They do not depend on the number of threads. Layers that end along
+/// periodic parts are alike on both. Errors: too-many-nodes, too-many-elements (before the elements are made),
+/// periodic-layers (layers of different heights end at a place and at its image), cancelled.
 Result<BuiltLayers> buildLayers(const LayerRequest &request, std::shared_ptr<const DiscreteDomain> boundary,
                                 std::shared_ptr<const SpacingField> spacing, const Progress &progress = {});
 

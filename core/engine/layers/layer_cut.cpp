@@ -14,6 +14,7 @@ namespace forefront {
 namespace {
 
 constexpr double kMaxPieces = 1e7; ///< of one segment
+constexpr double kAlike = 1e-6;    ///< distance of the nodes of layers from images of others, relative to their height
 
 /// A segment of the domain along which rays slide: its edges in the discretised boundary, and its nodes in order.
 struct SlidSegment {
@@ -26,8 +27,9 @@ struct SlidSegment {
 class BoundaryCut {
   public:
     BoundaryCut(const DiscreteDomain &given, std::span<const LayerHeights> heights, const SpacingField &spacing,
-                std::vector<RayChain> &chains, const Progress &progress)
-        : given_(given), heights_(heights), spacing_(spacing), chains_(chains), progress_(progress) {
+                const PeriodicSides *periodic, std::vector<RayChain> &chains, const Progress &progress)
+        : given_(given), heights_(heights), spacing_(spacing), periodic_(periodic), chains_(chains),
+          progress_(progress) {
         for (const auto &[source, rays] : slidingRays(chains)) {
             slid_[source];
         }
@@ -55,7 +57,7 @@ class BoundaryCut {
                 newSegment_[s] = static_cast<std::uint32_t>(cut.segments.size());
                 add(s, newNode_[given_.segments[s].a], newNode_[given_.segments[s].b], false, result);
             } else if (s == slid->second.edges.front()) {
-                if (Diagnostics faults = divide(slid->second, result); !faults.empty()) {
+                if (Diagnostics faults = divide(slid->first, slid->second, result); !faults.empty()) {
                     return faults;
                 }
             }
@@ -126,18 +128,21 @@ class BoundaryCut {
         return ray != nullptr ? placeOn(*ray, ray->count, heights_) : given_.nodes[end];
     }
 
-    /// Adds the nodes of a ray and returns their numbers, from the wall up.
-    std::vector<std::uint32_t> addNodes(LayerRay *ray, std::vector<Vec2> &nodes) const {
-        std::vector<std::uint32_t> numbers;
+    /// The places of the nodes inside a segment.
+    struct Places {
+        std::vector<Vec2> low, middle, high; ///< from its start; beyond; from its end
+    };
+
+    std::vector<Vec2> placesOn(const LayerRay *ray) const {
+        std::vector<Vec2> places;
         for (std::uint32_t k = 1; ray != nullptr && k <= ray->count; ++k) {
-            numbers.push_back(static_cast<std::uint32_t>(nodes.size()));
-            nodes.push_back(placeOn(*ray, k, heights_));
-            ray->slidNode = numbers.front();
+            places.push_back(placeOn(*ray, k, heights_));
         }
-        return numbers;
+        return places;
     }
 
-    Diagnostics divide(const SlidSegment &segment, CutBoundary &result) {
+    /// Divides a segment by its layers and the spacing.
+    Diagnostics place(const SlidSegment &segment, Places &places) {
         const Vec2 from = topOf(segment.fromStart, segment.start), to = topOf(segment.fromEnd, segment.end);
         std::vector<double> fractions;
         using Outcome = SpacingIntegral::Outcome;
@@ -151,17 +156,75 @@ class BoundaryCut {
                          "choose a larger element size");
         }
         integral_.cut(static_cast<std::uint32_t>(integral_.pieces()), fractions);
-        std::vector<Vec2> &nodes = result.domain.nodes;
-        const std::vector<std::uint32_t> low = addNodes(segment.fromStart, nodes);
-        std::vector<std::uint32_t> numbers{newNode_[segment.start]};
-        numbers.insert(numbers.end(), low.begin(), low.end());
+        places.low = placesOn(segment.fromStart);
+        places.high = placesOn(segment.fromEnd);
         for (const double t : fractions) {
-            numbers.push_back(static_cast<std::uint32_t>(nodes.size()));
-            nodes.push_back(lerp(from, to, t));
+            places.middle.push_back(lerp(from, to, t));
         }
-        const std::vector<std::uint32_t> high = addNodes(segment.fromEnd, nodes);
+        return {};
+    }
+
+    /// Divides a segment of a second periodic part by the images of the nodes of its first one.
+    Diagnostics placeImages(std::uint32_t source, const SlidSegment &segment, Places &places) {
+        const PeriodicMate &mate = periodic_->mates[source];
+        const SlidSegment &first = slid_.at(mate.segment); // layers end along both or none
+        if (Diagnostics faults = place(first, places); !faults.empty()) {
+            return faults;
+        }
+        const RigidMap &map = periodic_->links[mate.link].map;
+        for (std::vector<Vec2> *const list : {&places.low, &places.middle, &places.high}) {
+            std::ranges::transform(*list, list->begin(), map);
+        }
+        const Vec2 start = map(given_.nodes[first.start]);
+        if (distance(start, given_.nodes[segment.start]) > distance(start, given_.nodes[segment.end])) {
+            std::swap(places.low, places.high);
+            std::ranges::reverse(places.middle);
+        }
+        for (const auto &[ray, images] :
+             {std::pair(segment.fromStart, &places.low), std::pair(segment.fromEnd, &places.high)}) {
+            const std::vector<Vec2> own = placesOn(ray);
+            const double height = own.empty() ? 0.0 : distance(own.back(), ray->base);
+            if (!std::ranges::equal(own, *images, [&](Vec2 p, Vec2 q) { return distance(p, q) <= kAlike * height; })) {
+                Diagnostics faults =
+                    error("periodic-layers", "boundary layers of different heights end at images of periodic parts",
+                          "give the parts on which they lie the same layers");
+                faults.front().at = ray != nullptr ? ray->base : given_.nodes[segment.start];
+                return faults;
+            }
+        }
+        return {};
+    }
+
+    /// Adds nodes and returns their numbers.
+    static std::vector<std::uint32_t> addNodes(const std::vector<Vec2> &places, std::vector<Vec2> &nodes) {
+        std::vector<std::uint32_t> numbers;
+        for (const Vec2 p : places) {
+            numbers.push_back(static_cast<std::uint32_t>(nodes.size()));
+            nodes.push_back(p);
+        }
+        return numbers;
+    }
+
+    Diagnostics divide(std::uint32_t source, const SlidSegment &segment, CutBoundary &result) {
+        Places places;
+        const bool image = periodic_ != nullptr && periodic_->ties(source) && periodic_->mates[source].follows;
+        if (Diagnostics faults = image ? placeImages(source, segment, places) : place(segment, places);
+            !faults.empty()) {
+            return faults;
+        }
+        std::vector<Vec2> &nodes = result.domain.nodes;
+        std::vector<std::uint32_t> numbers{newNode_[segment.start]};
+        const std::vector<std::uint32_t> low = addNodes(places.low, nodes), middle = addNodes(places.middle, nodes),
+                                         high = addNodes(places.high, nodes);
+        numbers.insert(numbers.end(), low.begin(), low.end());
+        numbers.insert(numbers.end(), middle.begin(), middle.end());
         numbers.insert(numbers.end(), high.rbegin(), high.rend());
         numbers.push_back(newNode_[segment.end]);
+        for (const auto &[ray, own] : {std::pair(segment.fromStart, &low), std::pair(segment.fromEnd, &high)}) {
+            if (!own->empty()) {
+                ray->slidNode = own->front();
+            }
+        }
         for (std::size_t i = 0; i + 1 < numbers.size(); ++i) {
             const bool besideLayers = i < low.size() || i + 1 >= numbers.size() - high.size();
             add(segment.edges.front(), numbers[i], numbers[i + 1], besideLayers, result);
@@ -185,6 +248,7 @@ class BoundaryCut {
     const DiscreteDomain &given_;
     std::span<const LayerHeights> heights_;
     const SpacingField &spacing_;
+    const PeriodicSides *periodic_; ///< null: none
     std::vector<RayChain> &chains_;
     const Progress &progress_;
     std::map<std::uint32_t, SlidSegment> slid_; ///< by index of the domain's segment
@@ -196,9 +260,9 @@ class BoundaryCut {
 } // namespace
 
 Result<CutBoundary> cutWhereSliding(const DiscreteDomain &boundary, std::span<const LayerHeights> heights,
-                                    const SpacingField &spacing, std::vector<RayChain> &chains,
-                                    const Progress &progress) {
-    return BoundaryCut(boundary, heights, spacing, chains, progress).make();
+                                    const SpacingField &spacing, const PeriodicSides *periodic,
+                                    std::vector<RayChain> &chains, const Progress &progress) {
+    return BoundaryCut(boundary, heights, spacing, periodic, chains, progress).make();
 }
 
 } // namespace forefront

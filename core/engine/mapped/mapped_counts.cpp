@@ -102,16 +102,20 @@ std::uint64_t sumOf(const DividedLines &lines, const CountedSide &side) {
 }
 
 /// Pairs of sides that must have equal numbers.
-std::vector<std::array<CountedSide, 2>> oppositeSides(const DividedLines &lines,
-                                                      std::span<const TransfiniteFace> faces) {
+std::vector<std::array<CountedSide, 2>> oppositeSides(const DividedLines &lines, const MappedDivision &division) {
     std::vector<std::array<CountedSide, 2>> pairs;
-    for (const TransfiniteFace &face : faces) {
+    for (const TransfiniteFace &face : division.faces) {
         const auto side = [&](std::size_t k) { return countedSide(lines, face.sides[k]); };
         if (face.sides.size() == 3) {
             pairs.push_back({side(0), side(2)});
         } else {
             pairs.push_back({side(0), side(2)});
             pairs.push_back({side(1), side(3)});
+        }
+    }
+    for (const StripFace &strip : division.strips) {
+        for (const StripPiece &piece : strip.pieces) {
+            pairs.push_back({countedSide(lines, piece.left), countedSide(lines, piece.right)});
         }
     }
     return pairs;
@@ -121,8 +125,8 @@ Diagnostics unequal(const Domain &domain, const CountedSide &fewer, std::uint64_
                     const char *why, const char *advice) {
     const DomainSegment &segment = domain.segments[fewer.firstSegment];
     Diagnostics faults = error("mapped-sides",
-                               "a side of a mapped face has " + countText(has, "element") + ", the opposite one has " +
-                                   std::to_string(opposite) + ", and " + why,
+                               "a side of a mapped face or strip has " + countText(has, "element") +
+                                   ", the opposite one has " + std::to_string(opposite) + ", and " + why,
                                advice);
     faults.front().at = midpoint(domain.nodes[segment.a], domain.nodes[segment.b]);
     faults.front().parts = {aSegment(fewer.firstSegment)};
@@ -132,8 +136,7 @@ Diagnostics unequal(const Domain &domain, const CountedSide &fewer, std::uint64_
 /// Raises numbers until opposite sides are equal, or one of them has more than the limit.
 Status equalise(const MappedDivision &division, DividedLines &lines, const Progress &progress) {
     const Domain &domain = division.domain;
-    const std::span<const TransfiniteFace> faces = division.faces;
-    const std::vector<std::array<CountedSide, 2>> pairs = oppositeSides(lines, faces);
+    const std::vector<std::array<CountedSide, 2>> pairs = oppositeSides(lines, division);
     std::uint64_t total = 0, raised = 0;
     for (const auto &pair : pairs) {
         total += sumOf(lines, pair[0]) + sumOf(lines, pair[1]);
@@ -202,15 +205,22 @@ std::uint32_t numberOfOwnCurve(Domain &domain, const CurveChain &chain, std::uin
     return 0;
 }
 
-/// Counts the cells of all faces.
-void countCells(const DividedLines &lines, std::span<const TransfiniteFace> faces, MappedNumbers &numbers) {
-    for (const TransfiniteFace &face : faces) {
+/// Counts the elements of all faces and strips.
+void countCells(const DividedLines &lines, const MappedDivision &division, MappedNumbers &numbers) {
+    for (const TransfiniteFace &face : division.faces) {
         const auto sum = [&](std::size_t k) {
             return static_cast<double>(sumOf(lines, countedSide(lines, face.sides[k])));
         };
         const double across = sum(1);
-        numbers.cells += std::max(sum(0), sum(2)) * (face.sides.size() == 3 ? across : std::max(across, sum(3)));
-        numbers.corners += face.sides.size() == 3 ? across : 0.0;
+        const bool three = face.sides.size() == 3; // the cells about the first corner are triangles
+        const double cells = std::max(sum(0), sum(2)) * (three ? across : std::max(across, sum(3)));
+        numbers.inFaces += face.quads ? cells : 2.0 * cells - (three ? across : 0.0);
+    }
+    for (const StripFace &strip : division.strips) {
+        for (const StripPiece &piece : strip.pieces) {
+            const auto along = static_cast<double>(sumOf(lines, countedSide(lines, piece.left)));
+            numbers.inStrips += along * strip.rows * (strip.cells == LayerCells::Quads ? 1.0 : 2.0);
+        }
     }
 }
 
@@ -223,8 +233,8 @@ Result<MappedNumbers> equalNumbers(const MappedDivision &division, const Discret
         return faults;
     }
     MappedNumbers numbers{division.domain, {}, {}, lines.changed()};
-    countCells(lines, division.faces, numbers);
-    if (numbers.cells > division.maxElements) {
+    countCells(lines, division, numbers);
+    if (numbers.inFaces + numbers.inStrips > division.maxElements) {
         return numbers;
     }
     numbers.elements.resize(division.domain.segments.size());
@@ -238,6 +248,11 @@ Result<MappedNumbers> equalNumbers(const MappedDivision &division, const Discret
             for (const std::uint32_t s : side) {
                 mapped[lines[s]] = true;
             }
+        }
+    }
+    for (const StripFace &strip : division.strips) {
+        for (const StripPiece &piece : strip.pieces) {
+            mapped[lines[piece.left.front()]] = mapped[lines[piece.right.front()]] = true;
         }
     }
     for (std::uint32_t s = 0; s < numbers.elements.size(); ++s) {

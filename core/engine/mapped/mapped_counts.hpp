@@ -5,6 +5,7 @@
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/domain/periodic_sides.hpp"
 #include "core/engine/mapped/mapped_faces.hpp"
+#include "core/engine/strips/widened_domain.hpp"
 
 #include <cstdint>
 #include <span>
@@ -16,6 +17,7 @@ namespace forefront {
 struct MappedDivision {
     const Domain &domain;
     std::span<const TransfiniteFace> faces;
+    std::span<const StripFace> strips;
     SegmentElements given;         ///< numbers of elements that must stay
     const PeriodicSides &periodic; ///< lines that are divided alike
     bool keepBoundary = false;     ///< no segment may be divided in another way
@@ -29,17 +31,17 @@ struct MappedNumbers {
     std::vector<std::uint32_t> elements; ///< per segment: of its line or curve; 0: as the spacing asks
     std::vector<ElementBias> biases;     ///< per segment; none where the number was not given
     bool changed = false;                ///< a number differs from that of the boundary
-    /// Number of rows times columns of all faces. Where it exceeds the limit, the sides need not be equal yet, and
+    /// Elements of mapped faces, and of strips. Where their sum exceeds the limit, the sides need not be equal yet, and
     /// `elements` are not set.
-    double cells = 0.0;
-    double corners = 0.0; ///< cells that are triangles, about the first of 3 corners
+    double inFaces = 0.0;
+    double inStrips = 0.0;
 };
 
-/// Makes the opposite sides of mapped faces equal in number: where they differ, the side with fewer elements gets more,
-/// each time the line or curve with the longest elements relative to the spacing. Sides that neighbouring faces share
-/// carry the change on. `boundary`: the domain as the spacing divides it. Errors, with the place of a side:
-/// mapped-sides (no line of a side may get more elements, the numbers grow without end, or no number of a whole curve
-/// gives a part of it as many as it needs), cancelled.
+/// Makes the opposite sides of mapped faces and of strips equal in number: where they differ, the side with fewer
+/// elements gets more, each time the line or curve with the longest elements relative to the spacing. Sides that
+/// neighbouring faces share carry the change on. `boundary`: the domain as the spacing divides it. Errors, with the
+/// place of a side: mapped-sides (no line of a side may get more elements, the numbers grow without end, or no number
+/// of a whole curve gives a part of it as many as it needs), cancelled.
 Result<MappedNumbers> equalNumbers(const MappedDivision &division, const DiscreteDomain &boundary,
                                    const Progress &progress = {});
 

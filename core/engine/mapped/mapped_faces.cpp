@@ -255,6 +255,7 @@ Result<std::vector<TransfiniteFace>> findMappedFaces(std::span<const MappedSpec>
                     return mapped.faults();
                 }
                 mapped->region = region;
+                mapped->face = face;
                 found.push_back(std::move(*mapped));
             }
             ++region;

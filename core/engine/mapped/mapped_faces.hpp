@@ -13,6 +13,8 @@ namespace forefront {
 /// A face of a domain that is filled by rows of elements.
 struct TransfiniteFace {
     std::uint32_t region = 0; ///< index into DiscreteDomain::regions
+    std::uint32_t face = 0;   ///< index into the faces of the domain
+    bool quads = true;        ///< its elements are quadrilaterals, else triangles
     std::vector<std::uint32_t>
         corners; ///< 3 or 4 nodes of the domain, counter-clockwise; of 3, the rows meet at the first
     /// Segments of the domain from each corner to the next, in order.

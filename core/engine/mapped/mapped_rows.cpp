@@ -6,6 +6,7 @@
 #include "core/engine/geometry/polygon.hpp"
 #include "core/engine/geometry/predicates.hpp"
 #include "core/engine/mapped/row_grid.hpp"
+#include "core/engine/mapped/strip_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +28,16 @@ struct RowOutline {
 /// Returns the outlines of faces as the boundary divides them.
 class RowOutlines {
   public:
-    RowOutlines(const Domain &domain, std::span<const TransfiniteFace> faces, const DiscreteDomain &boundary)
+    RowOutlines(const Domain &domain, std::span<const TransfiniteFace> faces, std::span<const StripFace> strips,
+                const DiscreteDomain &boundary)
         : domain_(domain), boundary_(boundary) {
         for (std::size_t f = 0; f < faces.size(); ++f) {
             faceOf_[faces[f].region] = f;
         }
-        next_.resize(faces.size());
+        for (std::size_t f = 0; f < strips.size(); ++f) {
+            faceOf_[strips[f].region] = faces.size() + f;
+        }
+        next_.resize(faces.size() + strips.size());
         for (const DiscreteSegment &s : boundary.segments) {
             if (const auto left = faceOf_.find(s.leftRegion); left != faceOf_.end()) {
                 next_[left->second][s.a] = s.b;
@@ -44,10 +49,11 @@ class RowOutlines {
     }
 
     bool isMapped(std::uint32_t region) const { return faceOf_.contains(region); }
+    const NextNodes &next(std::size_t f) const { return next_[f]; }
 
     RowOutline of(std::size_t f, const TransfiniteFace &face) const {
         RowOutline outline;
-        const std::map<std::uint32_t, std::uint32_t> &next = next_[f];
+        const NextNodes &next = next_[f];
         const Vec2 first = domain_.nodes[face.corners.front()];
         std::uint32_t node = std::find_if(next.begin(), next.end(), [&](const auto &step) {
                                  return boundary_.nodes[step.first] == first;
@@ -67,15 +73,15 @@ class RowOutlines {
   private:
     const Domain &domain_;
     const DiscreteDomain &boundary_;
-    std::map<std::uint32_t, std::size_t> faceOf_;              ///< by region
-    std::vector<std::map<std::uint32_t, std::uint32_t>> next_; ///< per face: the next node around it
+    std::map<std::uint32_t, std::size_t> faceOf_; ///< by region
+    std::vector<NextNodes> next_;                 ///< per face, then per strip
 };
 
 /// Fills faces one after the other.
 class RowBuilder {
   public:
-    RowBuilder(const DiscreteDomain &boundary, BoundaryLayers &rows, bool quads, const Progress &progress)
-        : boundary_(boundary), rows_(rows), quads_(quads), progress_(progress) {}
+    RowBuilder(const DiscreteDomain &boundary, BoundaryLayers &rows, const Progress &progress)
+        : boundary_(boundary), rows_(rows), progress_(progress) {}
 
     Status fill(const TransfiniteFace &face, const RowOutline &outline) {
         const auto count = [&](std::size_t k) { return outline.corners[k + 1] - outline.corners[k]; };
@@ -101,17 +107,17 @@ class RowBuilder {
             set(i, across, around(outline.corners[2] + along - i));
         }
         grid.interpolate();
-        const bool valid = !grid.invertedCell(!quads_) || grid.smoothUntilValid(!quads_, progress_);
+        const bool valid = !grid.invertedCell(!face.quads) || grid.smoothUntilValid(!face.quads, progress_);
         if (progress_.cancelled()) {
             return cancelled("filling mapped faces");
         }
         if (!valid) {
             return fault("mapped-inverted", "an element of a mapped face would be inverted",
                          "choose other corners, or divide the face into parts with less bent sides",
-                         grid.cellCentre(*grid.invertedCell(!quads_)));
+                         grid.cellCentre(*grid.invertedCell(!face.quads)));
         }
         addNodes(grid);
-        addCells(grid, face.region);
+        addRowCells(grid, ids_, face.quads, face.region, rows_);
         return {};
     }
 
@@ -131,37 +137,18 @@ class RowBuilder {
             }
         }
     }
-    void addCells(const RowGrid &grid, std::uint32_t region) {
-        const auto id = [&](std::size_t i, std::size_t j) { return ids_[i * columns_ + j]; };
-        for (std::size_t i = 0; i < grid.along(); ++i) {
-            for (std::size_t j = 0; j < grid.across(); ++j) {
-                const std::uint32_t a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
-                if (a == d) {
-                    rows_.cells.push_back({{a, b, c, kNoIndex}, region});
-                } else if (quads_) {
-                    rows_.cells.push_back({{a, b, c, d}, region});
-                } else if (grid.firstDiagonal(i, j)) {
-                    rows_.cells.push_back({{a, b, c, kNoIndex}, region});
-                    rows_.cells.push_back({{a, c, d, kNoIndex}, region});
-                } else {
-                    rows_.cells.push_back({{a, b, d, kNoIndex}, region});
-                    rows_.cells.push_back({{b, c, d, kNoIndex}, region});
-                }
-            }
-        }
-    }
 
     const DiscreteDomain &boundary_;
     BoundaryLayers &rows_;
-    bool quads_;
     const Progress &progress_;
     std::size_t columns_ = 0;
     std::vector<std::uint32_t> ids_; ///< nodes of the grid of the face
 };
 
-/// Returns what mapped faces leave of a boundary. Points without a tag that lie in them are left out.
+/// Returns what mapped faces and strips leave of a boundary. Points without a tag that lie in them are left out.
+/// `faces`: the nodes around each.
 DiscreteDomain withoutFaces(const DiscreteDomain &boundary, const RowOutlines &outlines,
-                            std::span<const RowOutline> faces) {
+                            std::span<const std::vector<std::uint32_t>> faces) {
     DiscreteDomain rest = boundary;
     rest.segments.clear();
     rest.stretches.clear();
@@ -178,9 +165,9 @@ DiscreteDomain withoutFaces(const DiscreteDomain &boundary, const RowOutlines &o
         }
     }
     std::vector<std::vector<Vec2>> polygons;
-    for (const RowOutline &outline : faces) {
+    for (const std::vector<std::uint32_t> &outline : faces) {
         std::vector<Vec2> &polygon = polygons.emplace_back();
-        for (const std::uint32_t node : outline.nodes) {
+        for (const std::uint32_t node : outline) {
             polygon.push_back(boundary.nodes[node]);
         }
     }
@@ -209,17 +196,30 @@ TriMesh nodesOf(const DiscreteDomain &boundary) {
 }
 
 Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const TransfiniteFace> faces,
-                                  const DiscreteDomain &boundary, bool quads, const Progress &progress) {
+                                  std::span<const StripFace> strips, const DiscreteDomain &boundary,
+                                  const Progress &progress) {
     BoundaryLayers rows;
-    const RowOutlines outlines(domain, faces, boundary);
-    RowBuilder builder(boundary, rows, quads, progress);
-    std::vector<RowOutline> around;
+    const RowOutlines outlines(domain, faces, strips, boundary);
+    RowBuilder builder(boundary, rows, progress);
+    std::vector<std::vector<std::uint32_t>> around;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         progress("filling mapped faces", static_cast<double>(f) / static_cast<double>(faces.size()));
-        around.push_back(outlines.of(f, faces[f]));
-        if (Status faults = builder.fill(faces[f], around.back()); !faults.empty()) {
+        RowOutline outline = outlines.of(f, faces[f]);
+        if (Status faults = builder.fill(faces[f], outline); !faults.empty()) {
             return faults;
         }
+        around.push_back(std::move(outline.nodes));
+    }
+    for (std::size_t f = 0; f < strips.size(); ++f) {
+        progress("filling strips", static_cast<double>(f) / static_cast<double>(strips.size()));
+        const Result<StripOutline> outline = stripOutline(strips[f], domain, boundary, outlines.next(faces.size() + f));
+        if (!outline) {
+            return outline.faults();
+        }
+        if (Status faults = fillStrip(strips[f], *outline, boundary, rows, progress); !faults.empty()) {
+            return faults;
+        }
+        around.push_back(outline->around());
     }
     rows.outer = std::make_shared<const DiscreteDomain>(withoutFaces(boundary, outlines, around));
     return rows;

@@ -4,6 +4,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/layers/boundary_layers.hpp"
 #include "core/engine/mapped/mapped_faces.hpp"
+#include "core/engine/strips/widened_domain.hpp"
 
 #include <span>
 
@@ -15,13 +16,16 @@ namespace forefront {
 /// of opposite sides (W. J. Gordon, C. A. Hall, "Construction of curvilinear co-ordinate systems and applications to
 /// mesh generation", Int. J. Numer. Meth. Engng 7, 1973). Where an element would be inverted, they are moved to a
 /// solution of Winslow's equations (A. M. Winslow, J. Comput. Phys. 1, 1966). With 3 corners, the first row consists of
-/// triangles about the first corner. `quads`: quadrilaterals; else each is divided into two triangles by the diagonal
-/// with the larger least angle.
+/// triangles about the first corner. Without TransfiniteFace::quads, each quadrilateral is divided into two triangles
+/// by the diagonal with the larger least angle.
+///
+/// Strips are filled by straight lines between opposite nodes of their sides, with elements as they ask for.
 ///
 /// `boundary`: discretised with equal numbers of edges on opposite sides. Errors: mapped-sides (the numbers differ),
 /// mapped-inverted (an element is inverted, with its place), cancelled. The caller limits the number of elements.
 Result<BoundaryLayers> mappedRows(const Domain &domain, std::span<const TransfiniteFace> faces,
-                                  const DiscreteDomain &boundary, bool quads, const Progress &progress = {});
+                                  std::span<const StripFace> strips, const DiscreteDomain &boundary,
+                                  const Progress &progress = {});
 
 /// Returns a mesh without elements that has the nodes, curves and names of a boundary.
 TriMesh nodesOf(const DiscreteDomain &boundary);

@@ -11,6 +11,7 @@
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesher/front_rules.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
+#include "core/engine/strips/strip_spec.hpp"
 
 #include <array>
 #include <cstdint>
@@ -46,6 +47,14 @@ template <>
 struct EnumWords<Elements> {
     static constexpr auto kLast = Elements::Mixed;
     static constexpr std::array<std::string_view, 3> kList = {"triangles", "quads", "mixed"};
+};
+
+/// The shapes of the elements of one region, where they differ from those of the other regions.
+struct RegionElements {
+    std::int32_t region = 1; ///< tag
+    Elements elements = Elements::Triangles;
+
+    friend bool operator==(const RegionElements &, const RegionElements &) = default;
 };
 
 /// Maximum number of elements: half-edges, three per element, have ids of 31 bits.
@@ -95,6 +104,9 @@ struct MeshingJob {
     std::vector<PeriodicSpec> periodic{};    ///< parts that are divided alike; each part belongs to one pair at most
     std::vector<std::int32_t> cracks{};      ///< tags of inner lines that are cracks; see openCracks()
     std::vector<MappedSpec> mapped{};        ///< faces filled by rows of elements
+    std::vector<StripSpec> strips{};         ///< inner lines with a width, at most one specification for each
+    /// Regions with other elements than MeshingOptions::elements, each once.
+    std::vector<RegionElements> regionElements{};
 
     /// Returns the number of threads that may work on this job: one if its size function must not be called from
     /// others.

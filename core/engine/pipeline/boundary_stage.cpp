@@ -8,6 +8,7 @@
 #include "core/engine/pipeline/element_limit.hpp"
 #include "core/engine/pipeline/periodic_sites.hpp"
 #include "core/engine/pipeline/stages.hpp"
+#include "core/engine/pipeline/strip_job.hpp"
 #include "core/engine/spacing/kept_field.hpp"
 #include "core/engine/spacing/scaled_field.hpp"
 
@@ -130,10 +131,12 @@ std::vector<SizeSource> shortChords(const PreparedJob &prepared, const MeshingJo
 
 /// Discretises the boundary. Where curves cross, so that chords are taken as they are, the automatic spacing knows the
 /// lengths of whole curves only: short chords become sources, and the boundary is discretised again.
-Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFaces &faces, const PeriodicSides &sides,
-                                          std::shared_ptr<const SpacingField> spacing, std::uint64_t limit,
-                                          const Progress &progress) {
-    Result<PreparedJob> prepared = discretised(job, faces, sides, std::move(spacing), limit, progress);
+Result<PreparedJob> discretisedWithChords(MeshingState &state, std::uint64_t limit, const Progress &progress) {
+    const MeshingJob &job = state.meshed();
+    const DomainFaces &faces = state.faces;
+    const PeriodicSides &sides = state.periodic;
+    const std::shared_ptr<const StripJob> strips = state.prepared.strips;
+    Result<PreparedJob> prepared = discretised(job, faces, sides, std::move(state.prepared.spacing), limit, progress);
     constexpr int kMaxRounds = 4; // finer pieces may cross elsewhere
     MeshingJob again;
     for (int round = 0; round < kMaxRounds && prepared && job.spacing.usesAutomatic(); ++round) {
@@ -142,14 +145,17 @@ Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFac
             break;
         }
         if (round == 0) {
-            again = job;
+            again = state.job; // the spacing knows no strips
             again.shared = nullptr;
             again.spacing.keepAutomatic = true;
         }
         std::ranges::move(sources, std::back_inserter(again.spacing.sources));
         Result<std::shared_ptr<const SpacingField>> finer = buildSpacing(again, progress);
+        if (finer) {
+            finer = withStripEnds(std::move(*finer), strips.get(), progress);
+        }
         Result<PreparedJob> next =
-            finer ? discretised(again, faces, sides, std::move(*finer), limit, progress) : finer.faults();
+            finer ? discretised(job, faces, sides, std::move(*finer), limit, progress) : finer.faults();
         if (!next && !progress.cancelled()) {
             break; // the mesh would be too large
         }
@@ -161,10 +167,9 @@ Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFac
 /// Discretises the boundary with the spacing of the job or, if that needs more elements than the budget, with a coarser
 /// one.
 Result<PreparedJob> discretisedWithin(MeshingState &state, const Progress &progress) {
-    const MeshingJob &job = state.job;
+    const MeshingJob &job = state.meshed();
     const std::uint64_t limit = std::isinf(state.budget) ? limitOf(job.options) : kMaxElements; // a preview is coarser
-    Result<PreparedJob> prepared =
-        discretisedWithChords(job, state.faces, state.periodic, std::move(state.prepared.spacing), limit, progress);
+    Result<PreparedJob> prepared = discretisedWithChords(state, limit, progress);
     if (!prepared || prepared->estimatedElements <= state.budget) {
         return prepared;
     }
@@ -185,6 +190,7 @@ Status boundaryStage(MeshingState &state, const Progress &progress) {
     if (!prepared) {
         return prepared.faults();
     }
+    prepared->strips = std::move(state.prepared.strips);
     state.prepared = std::move(*prepared);
     return {};
 }

@@ -23,9 +23,9 @@ Status layersStage(MeshingState &state, const Progress &progress) {
     PreparedJob &prepared = state.prepared;
     const double gradation = std::min(job.spacing.gradation.value_or(kGrowthFromTops), kGrowthFromTops);
     const auto limit = static_cast<double>(std::isinf(state.budget) ? limitOf(job.options) : kMaxElements);
-    Result<BuiltLayers> built =
-        buildLayers({job.domain, job.layers, job.spacing.placed.counts(), job.options.keepBoundary, gradation, limit},
-                    prepared.boundary, prepared.spacing, progress);
+    Result<BuiltLayers> built = buildLayers({job.domain, job.layers, job.spacing.placed.counts(),
+                                             job.options.keepBoundary, gradation, limit, &state.periodic},
+                                            prepared.boundary, prepared.spacing, progress);
     if (!built) {
         return built.faults();
     }

@@ -13,7 +13,8 @@ Status leastAngleStage(MeshingState &state, const Progress &progress) {
     const SegmentElements counts = job.spacing.placed.counts();
     LeastAngleRules rules{*job.options.leastAngle, elementsToStopAt(job.options), {}};
     rules.mayDivide = [&, &segments = state.prepared.boundary->segments](std::uint32_t edge) {
-        return !job.options.keepBoundary && counts[segments[edge].source] == 0;
+        const std::uint32_t source = segments[edge].source; // of periodic parts, whose nodes are paired
+        return !job.options.keepBoundary && counts[source] == 0 && !state.periodic.ties(source);
     };
     if (Status faults = refineToLeastAngle(state.triangles, boundary, rules, state.leastAngle, progress);
         !faults.empty()) {

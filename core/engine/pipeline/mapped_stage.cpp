@@ -4,12 +4,15 @@
 #include "core/engine/pipeline/boundary_division.hpp"
 #include "core/engine/pipeline/element_limit.hpp"
 #include "core/engine/pipeline/stages.hpp"
+#include "core/engine/pipeline/strip_job.hpp"
 #include "core/engine/quads/even_boundary.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,15 +20,25 @@ namespace forefront {
 
 namespace {
 
-bool makesRowsOfQuads(const MeshingOptions &options) {
-    return options.elements != Elements::Triangles;
+/// Returns the shapes of the elements of a region.
+Elements elementsOf(const MeshingJob &job, std::int32_t region) {
+    const auto own = std::ranges::find(job.regionElements, region, &RegionElements::region);
+    return own == job.regionElements.end() ? job.options.elements : own->elements;
+}
+
+/// Returns true if a region has quadrilaterals alone.
+bool hasRegionOfQuads(const MeshingJob &job) {
+    return job.options.elements == Elements::Quads ||
+           std::ranges::find(job.regionElements, Elements::Quads, &RegionElements::elements) !=
+               job.regionElements.end();
 }
 
 /// Divides the boundary again with the numbers of elements that mapped faces need.
 Status divideAgain(MeshingState &state, const MappedNumbers &numbers, std::uint64_t limit, const Progress &progress) {
-    Result<PreparedJob> again = discretised(
-        {state.job, numbers.domain, SegmentElements(numbers.elements, numbers.biases), state.faces, state.periodic},
-        state.prepared.spacing, limit, progress);
+    Result<PreparedJob> again =
+        discretised({state.meshed(), numbers.domain, SegmentElements(numbers.elements, numbers.biases), state.faces,
+                     state.periodic},
+                    state.prepared.spacing, limit, progress);
     if (!again) {
         return again.faults();
     }
@@ -35,11 +48,6 @@ Status divideAgain(MeshingState &state, const MappedNumbers &numbers, std::uint6
     return {};
 }
 
-/// Returns the number of elements that the rows of mapped faces have.
-double rowElements(const MappedNumbers &numbers, bool quads) {
-    return quads ? numbers.cells : 2.0 * numbers.cells - numbers.corners;
-}
-
 /// Makes the cycles of edges even outside mapped faces, whose edges stay.
 void makeEven(MeshingState &state, const MappedNumbers &numbers) {
     std::vector<std::uint32_t> kept = numbers.elements;
@@ -47,7 +55,7 @@ void makeEven(MeshingState &state, const MappedNumbers &numbers) {
         kept[s] = state.periodic.ties(s) ? std::max(kept[s], 1U) : kept[s];
     }
     const ColouredBoundary even =
-        colourBoundary(*state.prepared.boundary, *state.prepared.spacing, {&state.job.domain, kept, true});
+        colourBoundary(*state.prepared.boundary, *state.prepared.spacing, {&state.meshed().domain, kept, true});
     if (even.added > 0) {
         state.prepared.boundary = std::make_shared<const DiscreteDomain>(even.domain);
     }
@@ -56,36 +64,42 @@ void makeEven(MeshingState &state, const MappedNumbers &numbers) {
 } // namespace
 
 Status mappedStage(MeshingState &state, const Progress &progress) {
-    const MeshingJob &job = state.job;
-    if (job.mapped.empty()) {
+    const MeshingJob &job = state.meshed();
+    const std::span<const StripFace> strips =
+        state.prepared.strips ? std::span<const StripFace>(state.prepared.strips->faces) : std::span<const StripFace>();
+    if (job.mapped.empty() && strips.empty()) {
         return {};
     }
-    progress("filling mapped faces", 0.0);
-    const Result<std::vector<TransfiniteFace>> faces = findMappedFaces(job.mapped, job.domain, state.faces);
+    progress(job.mapped.empty() ? "filling strips" : "filling mapped faces", 0.0);
+    Result<std::vector<TransfiniteFace>> faces = findMappedFaces(job.mapped, job.domain, state.faces);
     if (!faces) {
         return faces.faults();
     }
+    for (TransfiniteFace &face : *faces) {
+        face.quads = elementsOf(job, state.faces.labels.tag[face.face]) != Elements::Triangles;
+    }
     const std::uint64_t limit = std::isinf(state.budget) ? limitOf(job.options) : kMaxElements;
-    const Result<MappedNumbers> numbers = equalNumbers({job.domain, *faces, job.spacing.placed.counts(), state.periodic,
-                                                        job.options.keepBoundary, static_cast<double>(limit)},
-                                                       *state.prepared.boundary, progress);
+    const Result<MappedNumbers> numbers =
+        equalNumbers({job.domain, *faces, strips, job.spacing.placed.counts(), state.periodic, job.options.keepBoundary,
+                      static_cast<double>(limit)},
+                     *state.prepared.boundary, progress);
     if (!numbers) {
         return numbers.faults();
     }
-    const bool quads = makesRowsOfQuads(job.options);
-    if (const double made = rowElements(*numbers, quads); made > static_cast<double>(limit)) {
-        return tooManyElements("the mapped faces need " + numberText(made, 6) + " elements", made,
-                               static_cast<double>(limit), state.prepared);
+    if (const double made = numbers->inFaces + numbers->inStrips; made > static_cast<double>(limit)) {
+        return tooManyElements(std::string(job.mapped.empty() ? "the strips need " : "the mapped faces need ") +
+                                   numberText(made, 6) + " elements",
+                               made, static_cast<double>(limit), state.prepared);
     }
     if (numbers->changed) {
         if (Status faults = divideAgain(state, *numbers, limit, progress); !faults.empty()) {
             return faults;
         }
     }
-    if (job.options.elements == Elements::Quads && !job.options.keepBoundary) {
+    if (hasRegionOfQuads(job) && !job.options.keepBoundary) {
         makeEven(state, *numbers);
     }
-    Result<BoundaryLayers> rows = mappedRows(job.domain, *faces, *state.prepared.boundary, quads, progress);
+    Result<BoundaryLayers> rows = mappedRows(job.domain, *faces, strips, *state.prepared.boundary, progress);
     if (!rows) {
         return rows.faults();
     }

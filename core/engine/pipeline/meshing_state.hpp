@@ -22,7 +22,7 @@ struct MeshingState {
     double budget = std::numeric_limits<double>::infinity();
     ImproveWatch *watch = nullptr; ///< learns of each change of the improvement; null: none
 
-    DomainFaces faces{};      ///< of the domain, once it is validated
+    DomainFaces faces{};      ///< of the domain as it is meshed, once it is validated
     PeriodicSides periodic{}; ///< segments tied to others, once the domain is validated
     PreparedJob prepared{};   ///< the spacing, then the discretised boundary
     TriMesh triangles{};      ///< of the front
@@ -34,6 +34,9 @@ struct MeshingState {
     SecondOrderReport secondOrder{};
     CrackReport cracks{};
     Mesh mesh{}; ///< the result, once the last stage has run
+
+    /// Returns the job as it is meshed: with strips as faces of the domain, once these are made.
+    const MeshingJob &meshed() const;
 };
 
 } // namespace forefront

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <set>
 #include <string>
 
@@ -9,24 +11,38 @@ namespace forefront {
 
 namespace {
 
-/// Returns the tags of the segments that meet a crack of a job.
-std::set<std::int32_t> tagsAtCracks(const MeshingJob &job) {
+/// Returns the tags of the segments that meet lines with some tags.
+std::set<std::int32_t> tagsAt(const Domain &domain, const std::set<std::int32_t> &lines) {
     std::set<std::int32_t> tags;
-    if (job.cracks.empty()) {
-        return tags;
-    }
     std::set<std::uint32_t> nodes;
-    for (const DomainSegment &segment : job.domain.segments) {
-        if (std::find(job.cracks.begin(), job.cracks.end(), segment.tag) != job.cracks.end()) {
+    for (const DomainSegment &segment : domain.segments) {
+        if (lines.contains(segment.tag)) {
             nodes.insert({segment.a, segment.b});
         }
     }
-    for (const DomainSegment &segment : job.domain.segments) {
+    for (const DomainSegment &segment : domain.segments) {
         if (nodes.contains(segment.a) || nodes.contains(segment.b)) {
             tags.insert(segment.tag);
         }
     }
     return tags;
+}
+
+/// Returns the tags of the parts that cannot be periodic, with the reason.
+std::map<std::int32_t, std::string> excludedTags(const MeshingJob &job) {
+    std::map<std::int32_t, std::string> excluded;
+    for (const LayerSpec &layer : job.layers) {
+        excluded.emplace(layer.tag, "boundary layers on them");
+    }
+    for (const std::int32_t tag : tagsAt(job.domain, {job.cracks.begin(), job.cracks.end()})) {
+        excluded.emplace(tag, "a crack");
+    }
+    std::set<std::int32_t> strips;
+    std::ranges::transform(job.strips, std::inserter(strips, strips.end()), &StripSpec::tag);
+    for (const std::int32_t tag : tagsAt(job.domain, strips)) {
+        excluded.emplace(tag, "a strip");
+    }
+    return excluded;
 }
 
 } // namespace
@@ -35,20 +51,20 @@ Diagnostics leaveOutExcludedPeriodic(MeshingJob &job, std::span<const PeriodicSp
     if (ofMesh.empty()) {
         return {};
     }
-    const std::string all = job.options.leastAngle ? "a least angle" : !job.layers.empty() ? "boundary layers" : "";
-    const std::set<std::int32_t> cracked = tagsAtCracks(job);
+    const std::map<std::int32_t, std::string> excluded = excludedTags(job);
     Diagnostics notes;
     std::erase_if(job.periodic, [&](const PeriodicSpec &spec) {
-        const bool meets = cracked.contains(spec.from) || cracked.contains(spec.to);
-        if (std::find(ofMesh.begin(), ofMesh.end(), spec) == ofMesh.end() || (all.empty() && !meets)) {
+        auto reason = excluded.find(spec.from);
+        reason = reason == excluded.end() ? excluded.find(spec.to) : reason;
+        if (reason == excluded.end() || std::find(ofMesh.begin(), ofMesh.end(), spec) == ofMesh.end()) {
             return false;
         }
         Diagnostic &note = notes.emplace_back();
         note.severity = Severity::Note;
         note.code = "periodic";
         note.message = "the parts " + boundaryName(job.domain.boundaryNames, spec.from) + " and " +
-                       boundaryName(job.domain.boundaryNames, spec.to) + " are periodic in the mesh that was read, " +
-                       "which is not kept beside " + (all.empty() ? std::string("a crack") : all);
+                       boundaryName(job.domain.boundaryNames, spec.to) +
+                       " are periodic in the mesh that was read, which is not kept beside " + reason->second;
         return true;
     });
     return notes;

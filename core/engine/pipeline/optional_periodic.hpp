@@ -7,9 +7,9 @@
 
 namespace forefront {
 
-/// Leaves out of a job those of some periodic parts that it excludes: all of them beside boundary layers or a least
-/// angle, and those that a crack touches. `ofMesh`: parts that a mesh file shows as periodic, which nobody asked for.
-/// Returns notes on what was left out.
+/// Leaves out of a job those of some periodic parts that it excludes: those with boundary layers, and those that a
+/// crack or a strip touches. `ofMesh`: parts that a mesh file shows as periodic, which nobody asked for. Returns notes
+/// on what was left out.
 Diagnostics leaveOutExcludedPeriodic(MeshingJob &job, std::span<const PeriodicSpec> ofMesh);
 
 } // namespace forefront

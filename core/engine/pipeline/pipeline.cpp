@@ -50,7 +50,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.work = state.work;
     outcome.improvement = state.improvement;
     outcome.leastAngle = std::move(state.leastAngle);
-    outcome.quads = state.quadReport;
+    outcome.quads = job.options.elements == Elements::Triangles ? state.prepared.quads : state.quadReport;
     outcome.order = std::move(state.secondOrder);
     outcome.cracks = std::move(state.cracks);
     outcome.mesh = std::move(state.mesh);

@@ -21,12 +21,15 @@
 namespace FOREFRONT_API forefront {
 
 class Mesher;
+struct StripJob;
 
 /// A job that passed validation, with its discretised boundary and spacing field.
 struct PreparedJob {
     std::shared_ptr<const DiscreteDomain> boundary;
     std::shared_ptr<const SpacingField> spacing;
     std::shared_ptr<const BoundaryLayers> layers; ///< null: none are asked for
+    std::shared_ptr<const StripJob> strips;       ///< the job with strips as faces; null: it has no strips
+    QuadReport quads;                             ///< of regions with quadrilaterals, where the others have triangles
     double estimatedElements = 0.0;
     double requestedElements = 0.0; ///< the estimate for the spacing of the job
     double coarsening = 1.0;        ///< ratio of `spacing` to the spacing of the job; see prepare()

@@ -1,5 +1,6 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/mapped/mapped_rows.hpp"
+#include "core/engine/pipeline/even_counts.hpp"
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/quads/quad_mesh.hpp"
 
@@ -13,8 +14,13 @@ namespace forefront {
 
 namespace {
 
-/// Returns the numbers of elements along the segments of the domain that must stay, see EvenRules. Those along periodic
-/// parts do, since a node added to one of them would have no partner.
+/// Returns true if mapped faces fill the domain, so that nothing is left to the front.
+bool isFilled(const PreparedJob &prepared) {
+    return prepared.frontBoundary()->segments.empty();
+}
+
+} // namespace
+
 std::vector<std::uint32_t> countsWithPeriodic(const MeshingJob &job, const DiscreteDomain &boundary) {
     std::vector<std::uint32_t> counts(job.domain.segments.size(), 0);
     const SegmentElements given = job.spacing.placed.counts();
@@ -27,13 +33,6 @@ std::vector<std::uint32_t> countsWithPeriodic(const MeshingJob &job, const Discr
     return counts;
 }
 
-/// Returns true if mapped faces fill the domain, so that nothing is left to the front.
-bool isFilled(const PreparedJob &prepared) {
-    return prepared.frontBoundary()->segments.empty();
-}
-
-} // namespace
-
 Status quadFrontStage(MeshingState &state, const Progress &progress) {
     const MeshingOptions &options = state.job.options;
     PreparedJob &prepared = state.prepared;
@@ -43,9 +42,9 @@ Status quadFrontStage(MeshingState &state, const Progress &progress) {
     progress("making the boundary even", 0.0);
     // The edges of layers must stay; the front has a triangle where that leaves an odd number.
     const bool divide = !options.keepBoundary && options.elements == Elements::Quads && !prepared.layers;
-    const std::vector<std::uint32_t> elements = countsWithPeriodic(state.job, *prepared.boundary);
+    const std::vector<std::uint32_t> elements = countsWithPeriodic(state.meshed(), *prepared.boundary);
     const ColouredBoundary boundary =
-        colourBoundary(*prepared.frontBoundary(), *prepared.spacing, {&state.job.domain, elements, divide});
+        colourBoundary(*prepared.frontBoundary(), *prepared.spacing, {&state.meshed().domain, elements, divide});
     if (!advanceColoured({boundary, *prepared.spacing, options, prepared.estimatedElements, elementsToStopAt(options)},
                          state.quads, progress)) {
         return progress.cancelled() ? cancelled("meshing") : stoppedFront(prepared, options);

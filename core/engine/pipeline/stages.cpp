@@ -2,6 +2,7 @@
 
 #include "core/engine/base/cancelled.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -9,9 +10,10 @@ namespace forefront {
 
 std::span<const Stage> stagesBeforeFront() {
     static constexpr std::array kStages = {
-        Stage{StageTime::Prepare, validateStage}, Stage{StageTime::Prepare, spacingStage},
-        Stage{StageTime::Prepare, boundaryStage}, Stage{StageTime::Prepare, mappedStage},
-        Stage{StageTime::Prepare, layersStage}};
+        Stage{StageTime::Prepare, validateStage},   Stage{StageTime::Prepare, spacingStage},
+        Stage{StageTime::Prepare, stripsStage},     Stage{StageTime::Prepare, boundaryStage},
+        Stage{StageTime::Prepare, mappedStage},     Stage{StageTime::Prepare, layersStage},
+        Stage{StageTime::Mesh, regionElementsStage}};
     return kStages;
 }
 
@@ -47,6 +49,11 @@ std::span<const Stage> stagesOfFront() {
     return kStages;
 }
 
+std::span<const Stage> stagesOfShapes() {
+    constexpr std::size_t kOfShapes = 5; // before the mesh is joined to layers and rows
+    return stagesAfterFront().first(kOfShapes);
+}
+
 std::span<const Stage> stagesAfterFront() {
     static constexpr std::array kStages = {Stage{StageTime::Improve, improveStage, improvesTriangles},
                                            Stage{StageTime::Improve, leastAngleStage, hasLeastAngle},
@@ -67,6 +74,9 @@ Status runStages(std::span<const Stage> stages, MeshingState &state, const Progr
             continue;
         }
         if (Status faults = stage.run(state, progress); hasErrors(faults)) {
+            if (state.prepared.strips) { // their domain has other segments than the one given
+                std::ranges::for_each(faults, [](Diagnostic &fault) { fault.parts.clear(); });
+            }
             return faults;
         }
         if (progress.cancelled()) {

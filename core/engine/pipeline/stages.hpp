@@ -24,6 +24,9 @@ struct Stage {
 Status validateStage(MeshingState &state, const Progress &progress);
 /// Builds the node spacing. Sets `prepared.spacing`.
 Status spacingStage(MeshingState &state, const Progress &progress);
+/// Makes faces of the strips of the job. Sets `prepared.strips`; replaces `prepared.spacing`, `faces` and `periodic`.
+/// Errors: those of widenedDomain().
+Status stripsStage(MeshingState &state, const Progress &progress);
 /// Discretises the boundary and estimates the number of elements. Sets the rest of `prepared`.
 Status boundaryStage(MeshingState &state, const Progress &progress);
 /// Fills the mapped faces of the job. Sets `prepared.layers`; may replace `prepared.boundary`. Errors: those of
@@ -32,6 +35,9 @@ Status mappedStage(MeshingState &state, const Progress &progress);
 /// Builds the boundary layers that the job asks for. Sets `prepared.layers`; replaces `prepared.boundary` and
 /// `prepared.spacing`.
 Status layersStage(MeshingState &state, const Progress &progress);
+/// Meshes the regions whose elements have other shapes than those of the job's options. Sets `prepared.layers`; may
+/// replace `prepared.boundary`. Errors: those of the front.
+Status regionElementsStage(MeshingState &state, const Progress &progress);
 /// Advances the front until Γ = ∅. Sets `triangles` and `work`.
 Status frontStage(MeshingState &state, const Progress &progress);
 /// Improves the triangles at the level of the job.
@@ -63,6 +69,8 @@ Status verifyStage(MeshingState &state, const Progress &progress);
 std::span<const Stage> stagesBeforeFront();
 std::span<const Stage> stagesOfFront();
 std::span<const Stage> stagesAfterFront();
+/// The first of the stages after the front: they make a mesh of the shapes of the job's options.
+std::span<const Stage> stagesOfShapes();
 
 /// Runs the stages that the options have, in order, until one of them has an error. Returns its faults, or "cancelled".
 Status runStages(std::span<const Stage> stages, MeshingState &state, const Progress &progress);

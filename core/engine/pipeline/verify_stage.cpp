@@ -5,7 +5,7 @@ namespace forefront {
 
 Status verifyStage(MeshingState &state, const Progress &progress) {
     progress("checking the mesh", 0.0);
-    Diagnostics faults = verifyAgainst(state.mesh, state.job.domain, state.job.spacing.placed.counts(),
+    Diagnostics faults = verifyAgainst(state.mesh, state.meshed().domain, state.meshed().spacing.placed.counts(),
                                        kMaxListedFaults, {}, true, state.job.cracks);
     if (!hasErrors(faults)) {
         return {}; // a check of the file prints the notes

@@ -6,6 +6,7 @@
 #include "core/engine/domain/mapped_spec.hpp"
 #include "core/engine/domain/periodic.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
+#include "core/engine/strips/strip_spec.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -21,6 +22,7 @@ struct DomainFile {
     std::vector<std::int32_t> cracks{};   ///< tags of inner lines that are cracks; see MeshingJob::cracks
     std::vector<PeriodicSpec> periodic{}; ///< parts that are divided alike; see MeshingJob::periodic
     std::vector<MappedSpec> mapped{};     ///< regions filled by rows of elements; see MeshingJob::mapped
+    std::vector<StripSpec> strips{};      ///< inner lines with a width; see MeshingJob::strips
 };
 
 } // namespace forefront

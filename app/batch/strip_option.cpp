@@ -1,0 +1,105 @@
+#include "app/batch/strip_option.hpp"
+
+#include "app/batch/named_tags.hpp"
+#include "app/batch/suggestion.hpp"
+#include "core/engine/base/enum_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace forefront {
+
+namespace {
+
+/// Parses a whole text as a number.
+template <class Number>
+bool parsesAs(std::string_view text, Number &value) {
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return fault == std::errc() && end == text.data() + text.size();
+}
+
+/// Sets one value of a strip. Returns what is wrong.
+std::string setStripValue(std::string_view key, std::string_view value, StripSpec &spec) {
+    if (key == "type") {
+        const std::optional<LayerCells> cells = fromWord<LayerCells>(value);
+        spec.cells = cells.value_or(spec.cells);
+        return cells ? ""
+                     : "unknown type '" + std::string(value) + "'; expected " + wordList<LayerCells>() +
+                           suggestion(value, wordsOf<LayerCells>());
+    }
+    const bool valid = key == "width"  ? parsesAs(value, spec.width)
+                       : key == "rows" ? parsesAs(value, spec.rows)
+                                       : parsesAs(value, spec.region) && spec.region > 0;
+    return valid ? ""
+                 : "expected a " + std::string(key == "width" ? "number" : "whole number above 0") + " for " +
+                       std::string(key) + ", got '" + std::string(value) + "'";
+}
+
+/// Parses one value of --strip. Returns what is wrong.
+std::string parseStrip(const std::string &text, StripArguments::Strip &strip) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string::npos || colon == 0) {
+        return "expected NAME:width=W,rows=N, such as wall:width=0.2,rows=2";
+    }
+    strip.name = text.substr(0, colon);
+    std::vector<std::string_view> seen;
+    for (std::string_view rest = std::string_view(text).substr(colon + 1); !rest.empty();) {
+        const std::string_view item = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(rest.size(), item.size() + 1));
+        const std::string_view key = item.substr(0, item.find('='));
+        constexpr std::array<std::string_view, 4> kKnown = {"width", "rows", "type", "region"};
+        if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end() || key.size() == item.size()) {
+            return "unknown setting '" + std::string(item) + "'; expected KEY=VALUE with width, rows, type or region" +
+                   suggestion(key, kKnown);
+        }
+        if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
+            return std::string(key) + " is given twice";
+        }
+        seen.push_back(key);
+        if (std::string wrong = setStripValue(key, item.substr(key.size() + 1), strip.spec); !wrong.empty()) {
+            return wrong;
+        }
+    }
+    for (const char *const needed : {"width", "rows"}) {
+        if (std::find(seen.begin(), seen.end(), needed) == seen.end()) {
+            return std::string(needed) + " is missing; expected NAME:width=W,rows=N";
+        }
+    }
+    const std::optional<Diagnostic> fault = stripFault(strip.spec, strip.name);
+    return fault ? fault->message + "; " + fault->advice : std::string();
+}
+
+} // namespace
+
+void addStripOption(CLI::App &app, StripArguments &arguments, const char *help) {
+    app.add_option("--strip", arguments.texts, help)->allow_extra_args(false)->type_name("NAME:KEY=VALUE,...");
+}
+
+std::string parseStrips(StripArguments &arguments) {
+    for (const std::string &text : arguments.texts) {
+        if (const std::string wrong = parseStrip(text, arguments.strips.emplace_back()); !wrong.empty()) {
+            return std::string("--strip ").append(text).append(": ").append(wrong);
+        }
+    }
+    return {};
+}
+
+Diagnostics applyStrips(const StripArguments &arguments, const Domain &domain, std::vector<StripSpec> &strips) {
+    const NamedTags parts = NamedTags::ofParts(domain);
+    for (const StripArguments::Strip &strip : arguments.strips) {
+        const std::optional<std::int32_t> tag = parts.find(strip.name);
+        if (!tag) {
+            return parts.unknown("--strip", strip.name);
+        }
+        std::erase_if(strips, [&](const StripSpec &own) { return own.tag == *tag; });
+        strips.push_back(strip.spec);
+        strips.back().tag = *tag;
+    }
+    return {};
+}
+
+} // namespace forefront
