@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/outputs.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "core/teaching/lesson/lesson_check.hpp"
 #include "core/teaching/lesson/lesson_file.hpp"
@@ -35,21 +36,24 @@ candidates and cells; other layers and the panels of the editor are left out. It
 
 Exit codes: 0 no faults, or warnings only; 1 a lesson has faults (on stderr, one per line); 2 usage error, 3 cancelled.)help";
 
-std::string counted(std::size_t count, const char *one, const char *many) {
-    return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
 /// Writes a lesson as a page and returns the exit code.
-int writePage(const Lesson &lesson, const std::filesystem::path &output, const Progress &progress,
+int writePage(const LessonFile &lesson, LessonRuns &runs, const std::filesystem::path &output, const Progress &progress,
               const InterruptWatch &interrupt) {
     AtomicFile file(output);
     TextWriter out(file);
-    Status status = writeLessonPage(lesson, out, progress);
+    Status status = writeLessonPage(lesson.lesson, runs, out, progress);
     out.flush();
-    status = status.empty() ? file.commit() : status;
+    if (!hasErrors(status)) {
+        const Status written = file.commit();
+        status.insert(status.end(), written.begin(), written.end());
+    }
+    for (Diagnostic &fault : status) {
+        fault.file = fault.line > 0 ? lesson.path.string() : fault.file;
+    }
     if (hasErrors(status)) {
         return refuse(status, interrupt);
     }
+    printFaults(status);
     printWritten({output}, stdout);
     return kDone;
 }
@@ -64,15 +68,16 @@ int checkFile(const std::filesystem::path &path, const std::optional<std::filesy
     }
     Progress progress;
     progress.stop = interrupt.token();
-    const Diagnostics faults = checkLesson(file->lesson, file->source(), progress);
+    LessonRuns runs(output ? LessonRuns::Keep::All : LessonRuns::Keep::Last);
+    const Diagnostics faults = checkLesson(file->lesson, file->source(), runs, progress);
     if (interrupt.interrupted() || hasErrors(faults)) {
         return refuse(faults, interrupt);
     }
     printFaults(faults);
-    std::printf("%s: %s, %s; no faults\n", path.string().c_str(),
-                counted(file->lesson.pages.size(), "page", "pages").c_str(),
-                counted(questionsOf(file->lesson), "question", "questions").c_str());
-    return output ? writePage(file->lesson, *output, progress, interrupt) : kDone;
+    const std::string found = faults.empty() ? "no faults" : "no errors, " + countText(faults.size(), "warning");
+    std::printf("%s: %s, %s; %s\n", path.string().c_str(), countText(file->lesson.pages.size(), "page").c_str(),
+                countText(questionsOf(file->lesson), "question").c_str(), found.c_str());
+    return output ? writePage(*file, runs, *output, progress, interrupt) : kDone;
 }
 
 } // namespace

@@ -234,6 +234,14 @@ class Meshing(Case):
         self.assertIn("1 page, 1 question; no faults", check().stdout)
         self.assertIn("wrote page.html", check(0, "-o", "page.html").stdout)
         self.assertIn("FILE.html", check(2, "-o", "page.txt").stderr)
+        pages = lesson["pages"]
+        pages[0]["question"] = {"text": "q", "until": {"value": "improve-step", "is": 1}, "hint": "{front}"}
+        written = check(0, "-o", "page.html")
+        self.assertIn("no faults", written.stdout)
+        self.assertRegex(written.stderr, r"lesson\.json:\d+:\d+: warning: page 'P': no moment of the page .*\[not-on-page\]")
+        pages[0]["question"] = {"text": "q", "until": {"value": "advance", "is": 2}}
+        self.assertIn("no errors, 1 warning", check().stdout)
+        pages[0]["question"] = {"text": "q", "number": "front"}
         lesson["pages"][0]["position"] = 100000
         self.assertRegex(check(1).stderr, r"lesson\.json:\d+:\d+: error: page 'P': position 100000 is beyond the end")
         self.assertIn("[lesson-position]", check(1, "-o", "none.html").stderr)

@@ -1,3 +1,4 @@
+#include "core/engine/base/number_text.hpp"
 #include "core/teaching/lesson/lesson_names.hpp"
 #include "core/teaching/moment/moment.hpp"
 #include "tests/ui/edit_driver.hpp"
@@ -380,8 +381,9 @@ TEST_CASE("Lessons: a position beyond the end of the run is logged with its plac
     REQUIRE(author.openPage(kRing + R"(, "position": 4000)").empty());
     const Diagnostics logged = author.logged("lesson-position");
     REQUIRE(logged.size() == 1);
-    CHECK(logged.front().message ==
-          "position 4000 is beyond the end of the run, which has " + std::to_string(author.run().known) + " advances");
+    CHECK(logged.front().message == "position 4000 is beyond the end of the run, which has " +
+                                        std::to_string(author.run().known) + " advances and " +
+                                        countText(author.run().improveSteps, "step") + " of improvement");
     CHECK(logged.front().line == 2);
     CHECK(logged.front().column > 80);
     CHECK(logged.front().file.ends_with("own.json"));

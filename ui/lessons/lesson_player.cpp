@@ -1,6 +1,7 @@
 #include "ui/lessons/lesson_player.hpp"
 
 #include "core/teaching/lesson/lesson_file.hpp"
+#include "core/teaching/lesson/position_check.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/lessons/highlight_names.hpp"
 #include "ui/parts/shell.hpp"
@@ -397,47 +398,34 @@ void revealHighlights(Shell &context) {
 namespace {
 
 /// Logs that a page asks for something that is not there.
-void logPage(Shell &context, Severity severity, LessonPlace place, const char *code, std::string message,
-             std::string advice) {
-    context.log.add(Diagnostic{.severity = severity,
-                               .code = code,
-                               .message = std::move(message),
-                               .advice = std::move(advice),
-                               .file = context.lessons.open->entry.file.string(),
-                               .line = place.line,
-                               .column = place.column});
+void logPage(Shell &context, Severity severity, LessonPlace place, Diagnostic fault) {
+    fault.severity = severity;
+    fault.file = context.lessons.open->entry.file.string();
+    fault.line = place.line;
+    fault.column = place.column;
+    context.log.add(std::move(fault));
 }
 
+/// Checks a position against the run, once its length is known.
 void checkPosition(Shell &context, const LessonPosition &position) {
     const SessionSnapshot &run = context.run.now();
-    if (run.complete && !position.atEnd && position.advance > run.length()) {
-        const std::string all = std::to_string(run.known);
-        logPage(context, Severity::Warning, position.place, "lesson-position",
-                "position " + std::to_string(position.advance) + " is beyond the end of the run, which has " + all +
-                    " advances",
-                "expected at most " + all + ", or \"end\"");
+    if (!run.complete) {
+        return;
     }
-}
-
-/// Checks the moments of an advance, which the run has just reached. Too many lead into the advances that follow.
-void checkEvents(Shell &context, const LessonPosition &position) {
-    const SessionSnapshot &run = context.run.now();
-    const std::uint64_t past = run.advance - std::min(run.advance, position.advance);
-    if (position.events > 0 && (past > 1 || (past == 1 && run.eventCursor < run.eventCount))) {
-        logPage(context, Severity::Warning, position.place, "lesson-position",
-                std::to_string(position.events) + " events are more than advance " +
-                    std::to_string(position.advance + 1) + " has; the page begins after " +
-                    std::to_string(run.advance) + " advances",
-                "use fewer \"events\"");
+    if (std::optional<Diagnostic> fault = beyondEnd(position, run.known, run.improveSteps)) {
+        logPage(context, Severity::Warning, position.place, *std::move(fault));
     }
 }
 
 void checkPositions(Shell &context, const LessonPage &page) {
-    if (page.document) {
-        checkPosition(context, page.position);
-        checkEvents(context, page.position);
+    if (!page.document) {
+        return;
     }
-    if (page.document && page.question && page.question->show) {
+    checkPosition(context, page.position);
+    if (std::optional<Diagnostic> fault = tooManyEvents(page.position, context.run.now())) {
+        logPage(context, Severity::Warning, page.position.place, *std::move(fault));
+    }
+    if (page.question && page.question->show) {
         checkPosition(context, *page.question->show);
     }
 }
@@ -446,9 +434,10 @@ void checkHighlights(Shell &context, const LessonPage &page) {
     for (const LessonHighlight &highlight : page.highlights) {
         if (context.widgets.find(highlight.widget) == nullptr) {
             // A learner may have hidden its panel, which is no reason to be told so on the canvas.
-            logPage(context, Severity::Note, highlight.place, "lesson-highlight",
-                    "nothing to outline: '" + highlight.widget + "' is not on the screen",
-                    "correct the name, or show its panel with \"panel\"");
+            logPage(context, Severity::Note, highlight.place,
+                    {.code = "lesson-highlight",
+                     .message = "nothing to outline: '" + highlight.widget + "' is not on the screen",
+                     .advice = "correct the name, or show its panel with \"panel\""});
         }
     }
 }

@@ -49,4 +49,10 @@ bool asksForCandidate(const LessonTask &task) {
     });
 }
 
+bool asksForMesh(const LessonTask &task) {
+    return std::any_of(task.until.begin(), task.until.end(), [](const LessonCondition &condition) {
+        return needsMesh(condition.value) || (condition.other && needsMesh(*condition.other));
+    });
+}
+
 } // namespace forefront

@@ -76,6 +76,7 @@ struct LessonQuestion {
     std::string hint;                     ///< shown after a wrong answer; may be empty
     std::string why;                      ///< shown after the right answer; may be empty
     std::optional<LessonPosition> show{}; ///< where the run shows the answer
+    LessonPlace place{};                  ///< in the file
 };
 
 /// A page of a lesson with the scene that it shows. Members that a page omits keep their values from the page before.
@@ -118,5 +119,7 @@ bool isRight(const LessonNumber &question, double number, const LessonState &sta
 bool isDone(const LessonTask &task, const LessonState &state);
 /// Returns true if the task is to choose a candidate.
 bool asksForCandidate(const LessonTask &task);
+/// Returns true if a condition of the task needs a snapshot with its mesh, see needsMesh().
+bool asksForMesh(const LessonTask &task);
 
 } // namespace forefront

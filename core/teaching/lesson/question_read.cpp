@@ -181,6 +181,8 @@ LessonQuestion readQuestion(const JsonValue &object, JsonCheck &check) {
                                                           "until", "show",    "hint",   "why"};
     expectMembers(check, object, kMembers, "a question");
     LessonQuestion question;
+    const TextPlace place = check.place(object);
+    question.place = {place.line, place.column};
     if (const auto text = check.member(object, "text", "the question")) {
         question.text = shownText(check, *text, "the text of a question", true);
     }

@@ -123,6 +123,7 @@
       row.append(field, button('Check', answerNumber));
       answers.append(row);
     }
+    if (question.note) { reply(false, question.note); }
     if (solved()) { reply(true, 'Answered.'); }
   };
   $('question').onsubmit = (event) => {
@@ -137,7 +138,7 @@
   // ---- Pages ----
 
   const showPage = () => {
-    const { title, text } = lesson.pages[page];
+    const { title, text, note } = lesson.pages[page];
     $('number').textContent = 'Page ' + (page + 1) + ' of ' + lesson.pages.length;
     $('heading').textContent = title;
     $('text').replaceChildren(...text.map((paragraph) => {
@@ -145,6 +146,8 @@
       p.textContent = paragraph;
       return p;
     }));
+    $('note').hidden = !note;
+    $('note').textContent = note || '';
     $('previous').disabled = page === 0;
     $('following').disabled = page + 1 === lesson.pages.length;
     $('lesson-page').scrollTop = 0;
