@@ -4,10 +4,10 @@
 #include "core/teaching/lesson/position_check.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/lessons/highlight_names.hpp"
+#include "ui/lessons/lesson_answers.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/platform/assets.hpp"
-#include "ui/widgets/parse_number.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/view/chosen_candidate.hpp"
 
@@ -158,6 +158,9 @@ void showPage(Shell &context) {
     open.picked.reset();
     open.typed.clear();
     open.complaint.clear();
+    open.hint = page.question ? page.question->hint : "";
+    open.shown = false;
+    open.tried.reset();
     open.settled = false;
     open.framesSettled = 0;
     open.framesToReveal = kFramesToReveal;
@@ -180,8 +183,19 @@ void showPage(Shell &context) {
 
 } // namespace
 
-Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file) {
+namespace {
+
+/// Returns the seed of the random numbers of a lesson.
+std::uint64_t seedOf(const Shell &context, const std::string &id) {
+    const auto progress = context.settings.lessons.find(id);
+    return progress == context.settings.lessons.end() ? LessonProgress().seed : progress->second.seed;
+}
+
+} // namespace
+
+Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file, std::uint64_t seed) {
     LessonNames names;
+    names.seed = seed;
     for (const LayerSlot &slot : context.layers) {
         names.layers.emplace_back(slot.layer->id());
     }
@@ -198,7 +212,7 @@ void listLessons(Shell &context) {
         return;
     }
     for (const std::filesystem::path &file : lessonFiles()) {
-        Result<Lesson> lesson = loadLesson(context, file);
+        Result<Lesson> lesson = loadLesson(context, file, seedOf(context, file.stem().string()));
         if (!lesson) {
             context.log.add(lesson.faults());
             continue;
@@ -232,10 +246,6 @@ void openLesson(Shell &context, const LessonEntry &entry) {
 }
 
 Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file) {
-    Result<Lesson> lesson = loadLesson(context, file);
-    if (!lesson) {
-        return lesson.faults();
-    }
     listLessons(context);
     std::error_code ignored;
     const std::filesystem::path path = std::filesystem::weakly_canonical(file, ignored);
@@ -243,8 +253,13 @@ Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file) {
     const auto own = std::find_if(list.begin(), list.end(), [&](const LessonEntry &known) {
         return std::filesystem::equivalent(known.file, file, ignored);
     });
-    const LessonEntry entry{own != list.end() ? own->id : path.string(), file,
-                            std::make_shared<const Lesson>(std::move(*lesson))};
+    const std::string id = own != list.end() ? own->id : path.string();
+    Result<Lesson> lesson = loadLesson(context, file, seedOf(context, id));
+    if (!lesson) {
+        return lesson.faults();
+    }
+    const LessonEntry entry{id, file, std::make_shared<const Lesson>(std::move(*lesson))};
+    context.lessons.answers.erase(id); // they may belong to an earlier version of the file
     std::erase_if(list, [&](const LessonEntry &known) { return known.id == entry.id; });
     list.push_back(entry);
     openLesson(context, entry);
@@ -320,8 +335,11 @@ void answerChoice(Shell &context, std::size_t choice) {
         return;
     }
     open.picked = choice;
-    open.reply =
-        isRight(*choices, choice, questionState(context)) ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
+    const LessonState state = questionState(context);
+    const bool right = isRight(*choices, choice, state);
+    open.reply = right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
+    open.hint = hintAfter(*question, choice);
+    recordAnswer(context, withValues(choices->list[choice].text, state), right);
     rememberProgress(context);
     context.animate();
 }
@@ -333,14 +351,15 @@ void answerNumber(Shell &context) {
     if (number == nullptr || open.typed.empty() || !open.settled) {
         return;
     }
-    std::string digits = open.typed;
-    if (digits.find('.') == std::string::npos) {
-        std::replace(digits.begin(), digits.end(), ',', '.');
-    }
-    const std::optional<double> typed = parseNumber(digits);
+    const std::optional<double> typed = answeredNumber(open.typed);
     open.complaint = typed ? "" : "'" + open.typed + "' is not a number; expected one such as 12 or 0.5.";
-    const bool right = typed && isRight(*number, *typed, questionState(context));
+    const LessonState state = questionState(context);
+    const bool right = typed && isRight(*number, *typed, state);
     open.reply = right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
+    if (typed) {
+        open.hint = hintAfter(*question, *typed, state);
+        recordAnswer(context, open.typed, right);
+    }
     rememberProgress(context);
     context.animate();
 }
@@ -348,6 +367,7 @@ void answerNumber(Shell &context) {
 void showAnswer(Shell &context) {
     const auto &question = context.lessons.open->now().question;
     if (question && question->show) {
+        context.lessons.open->shown = true;
         showPosition(context, *question->show);
         context.animate();
     }
@@ -375,10 +395,17 @@ void followLesson(Shell &context) {
     if (isDone(*task, state)) {
         open.done = now;
         open.reply = OpenLesson::Reply::Right;
+        if (!open.shown) {
+            recordAnswer(context, taskAnswer(*now), true);
+        }
         rememberProgress(context);
         context.animate();
     } else if (asksForCandidate(*task)) {
         open.reply = state.chosen ? OpenLesson::Reply::Wrong : OpenLesson::Reply::None;
+        if (state.chosen && state.chosen != open.tried) {
+            recordAnswer(context, candidateAnswer(*state.chosen), false);
+        }
+        open.tried = state.chosen;
     }
 }
 

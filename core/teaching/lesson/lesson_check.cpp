@@ -153,6 +153,7 @@ class LessonChecker {
                 add(Severity::Error, "no-answer", {"question", "number"},
                     "the value " + inQuotes(wordOf(number->value)) + " has no number at the position of the page");
             }
+            checkMistakes(*number, state);
             checkText(question.why, state, {"question", "why"});
         } else {
             checkTask(std::get<LessonTask>(question.answer), state);
@@ -163,6 +164,7 @@ class LessonChecker {
         std::size_t right = 0;
         for (std::size_t k = 0; k < choices.list.size(); ++k) {
             checkText(choices.list[k].text, state, {"question", "choices"});
+            checkText(choices.list[k].hint, state, {"question", "choices"});
             right += isRight(choices, k, state) ? 1U : 0U;
         }
         if (right == 0) {
@@ -170,6 +172,19 @@ class LessonChecker {
                 "correct the conditions, or the position");
         } else if (right == choices.list.size()) {
             add(Severity::Warning, "all-right", {"question", "choices"}, "every choice is right");
+        }
+    }
+
+    /// Reports mistakes that are right answers here, since their hint would never show.
+    void checkMistakes(const LessonNumber &number, const LessonState &state) {
+        for (const LessonNumber::Mistake &mistake : number.mistakes) {
+            checkText(mistake.hint, state, {"question", "mistakes"});
+            const auto wrong = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
+            if (!wrong || isRight(number, *wrong, state)) {
+                add(Severity::Warning, "no-mistake", {"question", "mistakes"},
+                    wrong ? "the number of this mistake is the right answer"
+                          : "the value of this mistake has no number at the position of the page");
+            }
         }
     }
 

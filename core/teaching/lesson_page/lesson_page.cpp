@@ -7,6 +7,7 @@
 #include "core/teaching/page/run_record.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -162,11 +163,15 @@ class LessonData {
             out_ << ",\"choices\":[";
             for (std::size_t k = 0; k < choices->list.size(); ++k) {
                 out_ << (k == 0 ? "" : ",") << "{\"text\":" << scriptString(withValues(choices->list[k].text, state))
-                     << ",\"right\":" << (isRight(*choices, k, state) ? "true" : "false") << '}';
+                     << ",\"right\":" << (isRight(*choices, k, state) ? "true" : "false")
+                     << ",\"hint\":" << scriptString(withValues(hintAfter(question, k), state)) << '}';
             }
             out_ << ']';
         } else if (const auto *number = std::get_if<LessonNumber>(&question.answer)) {
-            out_ << ",\"number\":" << valueOf(number->value, state).value_or(0.0) << ",\"within\":" << number->within;
+            out_ << ",\"number\":" << valueOf(number->value, state).value_or(0.0)
+                 << ",\"within\":" << toleranceOf(*number, state) << ",\"mistakes\":[";
+            mistakes(*number, state);
+            out_ << ']';
         } else if (task != nullptr) {
             out_ << ",\"asksForCandidate\":" << (asksForCandidate(*task) ? "true" : "false") << ",\"done\":[";
             const bool any = moments(*task, question.why);
@@ -179,6 +184,20 @@ class LessonData {
             }
         }
         out_ << '}';
+    }
+
+    /// Writes [number, tolerance, hint] for each mistake that has a number.
+    void mistakes(const LessonNumber &number, const LessonState &state) {
+        bool first = true;
+        for (const LessonNumber::Mistake &mistake : number.mistakes) {
+            const auto value = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
+            if (value) {
+                out_ << (first ? "[" : ",[") << *value << ','
+                     << std::max(number.within, 0.01 * number.percent * std::abs(*value)) << ','
+                     << scriptString(withValues(mistake.hint, state)) << ']';
+                first = false;
+            }
+        }
     }
 
     void warnOfTask(const LessonQuestion &question) {
@@ -296,7 +315,7 @@ Status writeLessonPage(const Lesson &lesson, LessonRuns &runs, TextWriter &out, 
         out << "\n</script>\n";
     }
     out << "<script type=\"application/json\" id=\"lesson\">\n{\"title\":" << scriptString(lesson.title)
-        << ",\"about\":" << scriptString(lesson.about) << ",\"pages\":[\n";
+        << ",\"about\":" << scriptString(lesson.about) << ",\"seed\":" << lesson.seed << ",\"pages\":[\n";
     LessonData data(out, progress);
     for (std::size_t k = 0; k < lesson.pages.size(); ++k) {
         out << (k == 0 ? "" : ",\n");
