@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace forefront {
@@ -19,48 +20,51 @@ namespace forefront {
 namespace {
 
 constexpr const char *kTables = "dialog/tables/";
+constexpr double kBoxes = 80.0; ///< left edge of the boxes, design pixels
 constexpr std::array<const char *, 4> kGridNames = {"none", "30x20", "60x40", "hierarchical"};
+
+constexpr int kNotPrinted = -1;
 
 /// A column of the table.
 struct FigureColumnOfTables {
     const char *name, *meaning;
     double TableLine::*value;
-    int digits; ///< after the point
-    bool oursOnly = false;
+    int digits;  ///< after the point
+    int printed; ///< the same in Lo's tables; kNotPrinted: they do not give it
 };
 
 constexpr std::array<FigureColumnOfTables, 12> kFigureColumns{
-    {{"Nn", "Number of nodes", &TableLine::nodes, 0},
-     {"Ne", "Number of elements", &TableLine::elements, 0},
+    {{"Nn", "Number of nodes", &TableLine::nodes, 0, 0},
+     {"Ne", "Number of elements", &TableLine::elements, 0, 0},
      {"seconds", "Ours: CPU time of the front alone on this computer. Lo's: with graphics, on an unknown machine",
-      &TableLine::seconds, 3},
-     {"effic.", "Time without a grid over time with this one; needs a run without a grid", &TableLine::efficiency, 2},
-     {"\xce\xb1", "Mean shape factor; ours is that of the mesh as the front leaves it", &TableLine::alpha, 4},
-     {"\xce\xb1 impr.", "The same after the improvement", &TableLine::alphaImproved, 4, true},
-     {"\xce\xb4", "Mean spacing conformity; ours is that of the mesh as the front leaves it", &TableLine::delta, 4},
-     {"\xce\xb4 impr.", "The same after the improvement", &TableLine::deltaImproved, 4, true},
-     {"Nb", "Mean number of segments on the front", &TableLine::front, 0},
+      &TableLine::seconds, 3, 2},
+     {"effic.", "Time without a grid over time with this one; needs a run without a grid", &TableLine::efficiency, 2,
+      2},
+     {"\xce\xb1", "Mean shape factor; ours is that of the mesh as the front leaves it", &TableLine::alpha, 4, 4},
+     {"\xce\xb1 impr.", "The same after the improvement", &TableLine::alphaImproved, 4, kNotPrinted},
+     {"\xce\xb4", "Mean spacing conformity; ours is that of the mesh as the front leaves it", &TableLine::delta, 4, 3},
+     {"\xce\xb4 impr.", "The same after the improvement", &TableLine::deltaImproved, 4, kNotPrinted},
+     {"Nb", "Mean number of segments on the front", &TableLine::front, 0, 0},
      {"Nc", "Segments that the grid returns, per element. Lo's Nc is too small in large rows: his sum stopped at 2^24",
-      &TableLine::neighbours, 2},
-     {"Ns", "Segments near enough to be considered, per element", &TableLine::considered, 3},
-     {"Nt", "Segments tested exactly, per element; Lo does not give them", &TableLine::tests, 3, true}}};
+      &TableLine::neighbours, 2, 2},
+     {"Ns", "Segments near enough to be considered, per element", &TableLine::considered, 3, 3},
+     {"Nt", "Segments tested exactly, per element; Lo does not give them", &TableLine::tests, 3, kNotPrinted}}};
 
 std::string tableFigureText(const TableLine &line, const FigureColumnOfTables &column) {
     const double value = line.*column.value;
-    if (value == 0.0 || (line.published && column.oursOnly)) {
+    const int digits = line.published ? column.printed : column.digits;
+    if (value == 0.0 || digits == kNotPrinted) {
         return "\xe2\x80\x93";
     }
-    return column.digits == 0 ? ui::count(static_cast<std::uint64_t>(std::llround(value)))
-                              : ui::format("%.*f", column.digits, value);
+    return digits == 0 ? ui::count(static_cast<std::uint64_t>(std::llround(value))) : ui::format("%.*f", digits, value);
 }
 
-void rightAlignedText(WidgetContext &context, const std::string &text, Colour colour) {
+void rightAlignedText(const std::string &text, Colour colour) {
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(room, 0.0F));
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
-    (void)context;
 }
 
 void drawFigureHead(WidgetContext &context) {
@@ -80,7 +84,7 @@ void drawFigureHead(WidgetContext &context) {
     }
     for (const FigureColumnOfTables &column : kFigureColumns) {
         ImGui::TableNextColumn();
-        rightAlignedText(context, column.name, context.theme.muted);
+        rightAlignedText(column.name, context.theme.muted);
         ui::tooltip(context, column.meaning);
     }
 }
@@ -97,7 +101,7 @@ void drawTableLine(WidgetContext &context, const TableLine &line) {
     ui::mark(context, std::string(kTables) + "line/" + line.row + '/' + line.grid + (line.published ? "/Lo" : "/ours"));
     for (const FigureColumnOfTables &column : kFigureColumns) {
         ImGui::TableNextColumn();
-        rightAlignedText(context, tableFigureText(line, column), ink);
+        rightAlignedText(tableFigureText(line, column), ink);
     }
 }
 
@@ -180,7 +184,7 @@ void TablesDialog::takeNews(Shell &context) {
 }
 
 void TablesDialog::drawChoices(Shell &context) {
-    ui::rowLabel(context, "Rows", 60.0);
+    ui::rowLabel(context, "Rows", kBoxes);
     for (std::size_t k = 0; k < tableCases().size(); ++k) {
         const TableCase &row = tableCases()[k];
         if (k > 0) {
@@ -192,7 +196,7 @@ void TablesDialog::drawChoices(Shell &context) {
                                           : "Minimum spacing " + ui::number(row.rhoMin) +
                                                 (row.row.front() == '1' ? ", first function" : ", second function"));
     }
-    ui::rowLabel(context, "Grids", 60.0);
+    ui::rowLabel(context, "Grids", kBoxes);
     for (std::size_t k = 0; k < kGridNames.size(); ++k) {
         if (k > 0) {
             ImGui::SameLine(0, context.px(12));
@@ -259,13 +263,13 @@ void TablesDialog::save(Shell &context) const {
     request.title = "Save the tables";
     request.action = "Save";
     request.saves = true;
-    request.filters = {{"Figures (.csv)", {".csv"}, "csv", "Lo's figures and ours."},
-                       {"Plot (.svg)", {".svg"}, "svg", "Time against elements, with fitted exponents."}};
+    request.filters = {{"Figures (.csv)", {".csv"}, "figures", "Lo's figures and ours."},
+                       {"Plot (.svg)", {".svg"}, "plot", "Time against elements, with fitted exponents."}};
     request.folder = startFolder(context);
     request.name = "lo-tables.csv";
     request.chosen = [rows = *rows_](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         FileSet files;
-        files.write(file, filter.id == std::string("csv") ? tableCsv(rows) : toSvg(tablePlot(rows)));
+        files.write(file, std::string_view(filter.id) == "figures" ? tableCsv(rows) : toSvg(tablePlot(rows)));
         Status status = files.commit();
         if (status.empty()) {
             c.log.announce("Saved the tables to " + file.string());
