@@ -274,6 +274,30 @@ class Meshing(Case):
         self.assertIn("1 page, 1 question; no faults", check().stdout)
         self.assertIn("wrote page.html", check(0, "-o", "page.html").stdout)
         self.assertIn("FILE.html", check(2, "-o", "page.txt").stderr)
+        pages = lesson["pages"]
+        pages[0]["question"] = {"text": "q", "until": {"value": "improve-step", "is": 1}, "hint": "{front}"}
+        written = check(0, "-o", "page.html")
+        self.assertIn("no faults", written.stdout)
+        self.assertRegex(written.stderr, r"lesson\.json:\d+:\d+: warning: page 'P': no moment of the page .*\[not-on-page\]")
+        pages[0]["question"] = {"text": "q", "until": {"value": "advance", "is": 2}}
+        self.assertIn("no errors, 1 warning", check().stdout)
+        pages[0]["question"] = {"text": "q", "number": "front"}
+        pages[0]["random"] = {"n": [1, 8]}
+        pages[0]["question"]["text"] = "After {n}?"
+        lesson["pages"][0]["position"] = "n"
+        self.assertIn("no faults", check().stdout)
+        texts = [(check(0, "--seed", str(seed), "-o", "page.html"), (self.path / "page.html").read_text())[1] for seed in (1, 2)]
+        self.assertNotEqual(*texts)
+        answers = {"format": "forefront-answers", "version": 1, "lesson": "L", "seed": 2, "pages": [
+            {"title": "P", "question": "q", "answers": [{"answer": "0.5", "right": False}]}]}
+        self.write("a.json", json.dumps(answers))
+        self.assertIn("0 of 1 question right", check(0, "--answers", "a.json").stdout)
+        answers["pages"][0]["answers"][0]["right"] = True
+        self.write("a.json", json.dumps(answers))
+        self.assertIn("[false-claim]", check(1, "--answers", "a.json").stderr)
+        self.assertIn("--answers", check(2, "--answers", "a.json", "--seed", "3").stderr)
+        del pages[0]["random"]
+        pages[0]["question"]["text"] = "q"
         lesson["pages"][0]["position"] = 100000
         self.assertRegex(check(1).stderr, r"lesson\.json:\d+:\d+: error: page 'P': position 100000 is beyond the end")
         self.assertIn("[lesson-position]", check(1, "-o", "none.html").stderr)

@@ -198,6 +198,16 @@ std::vector<ActionCase> lessonCases() {
                  d.key(key::kPageDown);
              },
              [](D &d, const B &) { return page(d) == 1; }},
+            {"lesson.saveAnswers",
+             [](D &d) {
+                 openNumber(d);
+                 d.key(key::k0, kAlt);
+                 d.settle();
+                 d.type("7");
+                 d.key(key::kEnter);
+             },
+             [](D &d, const B &) { return dialogIs(d, "saveanswers"); }},
+            {"learn.tables", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "tables"); }},
             {"lesson.close", openLesson, [](D &d, const B &) { return !d.context().lessons.open.has_value(); }},
             {"lesson.number", openNumber,
              [](D &d, const B &) {

@@ -86,6 +86,17 @@ Document ruledBy(const Shell &context, const FrontRules &rules) {
     return ruled;
 }
 
+/// Runs a small row of Lo's tables in their dialog.
+void runTable(Driver &driver) {
+    driver.context().actions.run("learn.tables", driver.context());
+    driver.settle();
+    for (const char *other : {"row/1B", "row/2A", "row/2B", "grid/none"}) {
+        driver.click(std::string("dialog/tables/") + other);
+    }
+    driver.click("dialog/tables/run");
+    driver.settle();
+}
+
 /// Offers to combine two rectangles that overlap.
 void offerCombination(Driver &driver) {
     Shell &context = driver.context();
@@ -271,6 +282,12 @@ std::vector<Shot> scenes() {
             {"recordscript", action("file.recordScript")},
             {"picture", action("file.addPicture")},
             {"openlesson", action("learn.openLesson")},
+            {"tables", runTable},
+            {"savetables",
+             [](Driver &driver) {
+                 runTable(driver);
+                 driver.click("dialog/tables/save");
+             }},
             {"importoptions", importBracket},
             {"recovery", offerRecovery},
             {"transform", operation("shape.transform")},
@@ -328,7 +345,15 @@ std::vector<Shot> scenes() {
                  driver.context().document.markSaved({});
                  driver.click("lessons/1-front");
              }},
-            {"tabs", openTabs}};
+            {"tabs", openTabs},
+            {"saveanswers", [](Driver &driver) {
+                 driver.key(key::k0, kAlt);
+                 driver.settle();
+                 driver.type("34");
+                 driver.key(key::kEnter);
+                 driver.settle();
+                 driver.context().actions.run("lesson.saveAnswers", driver.context());
+             }}};
 }
 
 } // namespace

@@ -184,4 +184,56 @@ TEST_CASE("Lessons: the user's drawing comes back when the lesson is closed, and
     CHECK(driver.context().document.dirty());
 }
 
+TEST_CASE("Lessons: a wrong answer has a hint of its own, and answers are saved as a file") {
+    const TemporaryFolder folder;
+    Reader reader;
+    reader.click("lessons/10-dynamic-grid");
+    reader.settle();
+    CHECK_FALSE(reader.has("lesson/save"));
+    reader.key(key::k0 + 1, kAlt); // 5 by 4 cells
+    reader.settle();
+    CHECK(reader.context().lessons.open->hint == "20.8 + 2.1 = 22.9. Another grid has less.");
+    reader.key(key::k0 + 2, kAlt);
+    reader.settle();
+    CHECK(reader.has("lesson/right"));
+    goToPage(reader.context(), 3);
+    reader.settle();
+    reader.answer("232"); // triangles, not segments
+    CHECK(reader.context().lessons.open->hint.starts_with("That is the number of triangles."));
+    reader.retype("129");
+    CHECK(reader.has("lesson/right"));
+    reader.click("lesson/save");
+    reader.settle();
+    REQUIRE(reader.has("dialog/saveanswers"));
+    const LessonAnswers &given = reader.context().lessons.answers.at("10-dynamic-grid");
+    REQUIRE(given.pages.size() == 6);
+    CHECK(given.seed == 1);
+    REQUIRE(given.pages[0].answers.size() == 2);
+    CHECK(given.pages[0].answers[1].text == "10 by 7");
+    CHECK(given.pages[0].answers[1].right);
+    REQUIRE(given.pages[3].answers.size() == 2);
+    CHECK_FALSE(given.pages[3].answers[0].right);
+    CHECK(given.pages[3].question.find("after 232 advances") != std::string::npos);
+}
+
+TEST_CASE("Lessons: other numbers are drawn for another seed, and answers are forgotten") {
+    Reader reader;
+    reader.click("lessons/10-dynamic-grid");
+    reader.settle();
+    goToPage(reader.context(), 3);
+    reader.settle();
+    REQUIRE(reader.run().advance == 232);
+    reader.answer("129");
+    REQUIRE(reader.has("lesson/right"));
+    reader.click("lesson/numbers");
+    reader.settle();
+    CHECK(reader.context().lessons.open->page == 3);
+    CHECK(reader.context().lessons.open->entry.lesson->seed == 2);
+    CHECK(reader.context().settings.lessons["10-dynamic-grid"].seed == 2);
+    CHECK(reader.run().advance != 232);
+    CHECK_FALSE(reader.has("lesson/right"));
+    CHECK_FALSE(reader.has("lesson/save"));
+    CHECK(reader.context().settings.lessons["10-dynamic-grid"].answered.empty());
+}
+
 } // namespace forefront::test

@@ -1,3 +1,4 @@
+#include "core/engine/base/number_text.hpp"
 #include "core/teaching/lesson/lesson_names.hpp"
 #include "core/teaching/moment/moment.hpp"
 #include "tests/ui/edit_driver.hpp"
@@ -94,18 +95,27 @@ class Learner : public Driver {
 /// depend on the run, read from the statistics and the captions of films that the batch program writes.
 const std::map<std::string, std::vector<std::string>> &rightAnswers() {
     static const std::map<std::string, std::vector<std::string>> kAnswers = {
-        {"1-front", {"34", "2", "", "1", "", "2", "2"}}, {"2-ten-steps", {"2", "1", "", "", "1"}},
-        {"3-ideal-point", {"1", "3", "0.99", "", "1"}},  {"4-rejections", {"1", "2", "", "3", ""}},
-        {"5-background-grid", {"1", "", "2", "3", "3"}}, {"6-spacing", {"2", "7", "1", "0.93", "2"}},
-        {"7-closing", {"1", "3", "29", "2", "3"}},       {"8-classic-and-fast", {"3", "2", "2", "1", "3", "2"}}};
+        {"1-front", {"34", "2", "", "1", "", "2", "2"}},
+        {"2-ten-steps", {"2", "1", "", "", "1"}},
+        {"3-ideal-point", {"1", "3", "0.99", "", "1"}},
+        {"4-rejections", {"1", "2", "", "3", ""}},
+        {"5-background-grid", {"1", "", "2", "3", "3"}},
+        {"6-spacing", {"2", "7", "1", "0.93", "2"}},
+        {"7-closing", {"1", "3", "29", "2", "3"}},
+        {"8-classic-and-fast", {"3", "2", "2", "1", "3", "2"}},
+        {"9-adaptive", {"2", "2", "2", "2", "", "2", "1"}},
+        {"10-dynamic-grid", {"2", "2", "2", "129", "", "2"}},
+        {"11-many-at-once", {"2", "2", "3", "1", "2", ""}},
+        {"12-three-dimensions", {"2", "2", "2", "2", "", "0.849", "1"}}};
     return kAnswers;
 }
 
 } // namespace
 
-TEST_CASE("Lessons: every page of the eight lessons shows what it speaks of, and its question can be answered") {
+TEST_CASE("Lessons: every page of the twelve lessons shows what it speaks of, and its question can be answered") {
     Learner learner;
-    REQUIRE(learner.context().lessons.list.size() == 8);
+    REQUIRE(learner.context().lessons.list.size() == 12);
+    CHECK(learner.context().lessons.list[9].id == "10-dynamic-grid"); // after 9, not after 1
     for (const LessonEntry &entry : std::vector<LessonEntry>(learner.context().lessons.list)) {
         CAPTURE(entry.id);
         learner.click("lessons/" + entry.id);
@@ -380,8 +390,9 @@ TEST_CASE("Lessons: a position beyond the end of the run is logged with its plac
     REQUIRE(author.openPage(kRing + R"(, "position": 4000)").empty());
     const Diagnostics logged = author.logged("lesson-position");
     REQUIRE(logged.size() == 1);
-    CHECK(logged.front().message ==
-          "position 4000 is beyond the end of the run, which has " + std::to_string(author.run().known) + " advances");
+    CHECK(logged.front().message == "position 4000 is beyond the end of the run, which has " +
+                                        std::to_string(author.run().known) + " advances and " +
+                                        countText(author.run().improveSteps, "step") + " of improvement");
     CHECK(logged.front().line == 2);
     CHECK(logged.front().column > 80);
     CHECK(logged.front().file.ends_with("own.json"));

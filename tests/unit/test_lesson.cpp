@@ -1,8 +1,10 @@
 #include "core/teaching/lesson/lesson_read.hpp"
+#include "core/teaching/lesson/random_numbers.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -219,4 +221,79 @@ TEST_CASE("Lesson conditions: is, above and below a number or another value") {
     CHECK_FALSE(check(wins, 0));
     CHECK_FALSE(check(wins));
     CHECK_FALSE(holds({LessonValue::Front, LessonRelation::Below, 1e9}, {SessionSnapshot()})); // there is no run
+}
+
+TEST_CASE("Lesson: hints belong to wrong choices and to numbers that learners confuse") {
+    const auto lesson = readLesson(
+        sourceOf(question(R"("choices": [{"text": "a", "hint": "not a"}, {"text": "b", "right": true}], "hint": "h")")),
+        {});
+    REQUIRE_MESSAGE(lesson.ok(), messages(lesson.faults()));
+    const LessonQuestion &choices = *lesson->pages[0].question;
+    CHECK(hintAfter(choices, 0) == "not a");
+    CHECK(hintAfter(choices, 1) == "h");
+    const auto numbers = readLesson(
+        sourceOf(question(
+            R"("number": "front", "within": "5 %", "hint": "h", "mistakes": [{"is": "elements", "hint": "triangles"},
+               {"is": 70, "hint": "seventy"}])")),
+        {});
+    REQUIRE_MESSAGE(numbers.ok(), messages(numbers.faults()));
+    const LessonQuestion &number = *numbers->pages[0].question;
+    const LessonRun run; // Γ has 34 segments, the mesh 4 elements
+    CHECK(hintAfter(number, 4.0, run.state()) == "triangles");
+    CHECK(hintAfter(number, 72.0, run.state()) == "seventy");
+    CHECK(hintAfter(number, 50.0, run.state()) == "h");
+    const auto &asked = std::get<LessonNumber>(number.answer);
+    CHECK(toleranceOf(asked, run.state()) == doctest::Approx(1.7));
+    CHECK(isRight(asked, 35.6, run.state()));
+    CHECK_FALSE(isRight(asked, 35.8, run.state()));
+    CHECK(faultsOf(question(R"("number": "front", "within": "much")")).front().code == "bad-field");
+    CHECK(faultsOf(question(R"("number": "front", "within": "-2 %")")).front().code == "bad-field");
+    CHECK(faultsOf(question(R"("choices": [{"text": "a", "right": true, "hint": "x"}, {"text": "b"}])")).front().code ==
+          "bad-question");
+    CHECK(faultsOf(question(R"("until": {"value": "front", "is": 3}, "mistakes": [])")).front().code == "bad-question");
+}
+
+TEST_CASE("Lesson: answers are read with a point or a comma") {
+    CHECK(answeredNumber("12") == 12.0);
+    CHECK(answeredNumber(" +0,5 ") == 0.5);
+    CHECK(answeredNumber("1.5e3") == 1500.0);
+    CHECK_FALSE(answeredNumber("").has_value());
+    CHECK_FALSE(answeredNumber("12 m").has_value());
+    CHECK_FALSE(answeredNumber("1e999").has_value());
+    CHECK_FALSE(answeredNumber("nan").has_value());
+}
+
+TEST_CASE("Lesson: random numbers follow from the seed, and replace their names in texts, positions and conditions") {
+    const std::string text = R"({"format": "forefront-lesson", "version": 1, "title": "T", "pages": [
+        {"title": "P", "text": "{n} of {front}", "document": "a.json", "random": {"n": [3, 20]}, "position": "n",
+         "question": {"text": "After {n}?", "until": {"value": "advance", "is": "n"}}},
+        {"title": "Q", "text": "still {n}", "position": {"advance": "n", "events": 2}}]})";
+    const auto read = [&](std::uint64_t seed) {
+        LessonNames names;
+        names.seed = seed;
+        const auto lesson = readLesson(sourceOf(text), names);
+        REQUIRE_MESSAGE(lesson.ok(), messages(lesson.faults()));
+        return *lesson;
+    };
+    std::uint64_t smallest = 100, largest = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        const Lesson lesson = read(seed);
+        const std::uint64_t n = lesson.pages[0].position.advance;
+        CHECK(lesson.seed == seed);
+        CHECK(lesson.pages[0].paragraphs[0] == std::to_string(n) + " of {front}");
+        CHECK(lesson.pages[1].paragraphs[0] == "still " + std::to_string(n));
+        CHECK(lesson.pages[1].position == LessonPosition{false, n, 2});
+        CHECK(std::get<LessonTask>(lesson.pages[0].question->answer).until[0].number == static_cast<double>(n));
+        smallest = std::min(smallest, n);
+        largest = std::max(largest, n);
+    }
+    CHECK(smallest == 3);
+    CHECK(largest == 20);
+    CHECK(read(7).pages[0].position == read(7).pages[0].position);
+    CHECK(readLesson(sourceOf(page("")), {})->seed == 0);
+    CHECK(faultsOf(page(R"(, "random": {"front": [1, 2]})")).front().code == "bad-name");
+    CHECK(faultsOf(page(R"(, "random": {"n": [2, 2]})")).front().code == "bad-range");
+    CHECK(faultsOf(page(R"(, "random": {"n": [2]})")).front().code == "bad-range");
+    CHECK(randomNumber(1, 0, "n", -1'000'000'000, 1'000'000'000) !=
+          randomNumber(1, 1, "n", -1'000'000'000, 1'000'000'000));
 }

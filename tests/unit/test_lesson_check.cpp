@@ -114,6 +114,30 @@ TEST_CASE("Lesson check: stops when it is cancelled") {
     CHECK(faults.front().code == "cancelled");
 }
 
+TEST_CASE("Lesson page: the runs of the check are used again, and what only the editor shows is said") {
+    using namespace checked_lessons;
+    LessonNames names;
+    names.document = drawing;
+    const std::string text = lesson(lessonAsking(R"("until": {"value": "improve-step", "is": 2})") + // past the front
+                                    "}, {\"title\": \"Q\", \"text\": \"t\", \"position\": 46");
+    const SourceText source = sourceOf(text);
+    const Result<Lesson> read = readLesson(source, names);
+    REQUIRE(read.ok());
+    LessonRuns runs(LessonRuns::Keep::All);
+    CHECK(checkLesson(*read, source, runs, {}).empty());
+    StringSink sink;
+    TextWriter out(sink);
+    const Status warnings = writeLessonPage(*read, runs, out, {});
+    out.flush();
+    CHECK(runs.made() == 1);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings.front().code == "not-on-page");
+    CHECK(warnings.front().severity == Severity::Warning);
+    CHECK(warnings.front().line == 3);
+    CHECK(sink.text.find("This task needs a moment that the editor shows") != std::string::npos);
+    CHECK(sink.text.find("\"note\":\"This page is about step ") != std::string::npos);
+}
+
 TEST_CASE("Lesson check: names of layers, panels and widgets are known without a window") {
     const LessonNames names = editorNames();
     CHECK(names.layers.size() == 22);

@@ -1,12 +1,13 @@
 #include "ui/lessons/lesson_player.hpp"
 
 #include "core/teaching/lesson/lesson_file.hpp"
+#include "core/teaching/lesson/position_check.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/lessons/highlight_names.hpp"
+#include "ui/lessons/lesson_answers.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/platform/assets.hpp"
-#include "ui/widgets/parse_number.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/view/chosen_candidate.hpp"
 
@@ -157,6 +158,9 @@ void showPage(Shell &context) {
     open.picked.reset();
     open.typed.clear();
     open.complaint.clear();
+    open.hint = page.question ? page.question->hint : "";
+    open.shown = false;
+    open.tried.reset();
     open.settled = false;
     open.framesSettled = 0;
     open.framesToReveal = kFramesToReveal;
@@ -179,8 +183,19 @@ void showPage(Shell &context) {
 
 } // namespace
 
-Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file) {
+namespace {
+
+/// Returns the seed of the random numbers of a lesson.
+std::uint64_t seedOf(const Shell &context, const std::string &id) {
+    const auto progress = context.settings.lessons.find(id);
+    return progress == context.settings.lessons.end() ? LessonProgress().seed : progress->second.seed;
+}
+
+} // namespace
+
+Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file, std::uint64_t seed) {
     LessonNames names;
+    names.seed = seed;
     for (const LayerSlot &slot : context.layers) {
         names.layers.emplace_back(slot.layer->id());
     }
@@ -197,7 +212,7 @@ void listLessons(Shell &context) {
         return;
     }
     for (const std::filesystem::path &file : lessonFiles()) {
-        Result<Lesson> lesson = loadLesson(context, file);
+        Result<Lesson> lesson = loadLesson(context, file, seedOf(context, file.stem().string()));
         if (!lesson) {
             context.log.add(lesson.faults());
             continue;
@@ -231,10 +246,6 @@ void openLesson(Shell &context, const LessonEntry &entry) {
 }
 
 Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file) {
-    Result<Lesson> lesson = loadLesson(context, file);
-    if (!lesson) {
-        return lesson.faults();
-    }
     listLessons(context);
     std::error_code ignored;
     const std::filesystem::path path = std::filesystem::weakly_canonical(file, ignored);
@@ -242,8 +253,13 @@ Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file) {
     const auto own = std::find_if(list.begin(), list.end(), [&](const LessonEntry &known) {
         return std::filesystem::equivalent(known.file, file, ignored);
     });
-    const LessonEntry entry{own != list.end() ? own->id : path.string(), file,
-                            std::make_shared<const Lesson>(std::move(*lesson))};
+    const std::string id = own != list.end() ? own->id : path.string();
+    Result<Lesson> lesson = loadLesson(context, file, seedOf(context, id));
+    if (!lesson) {
+        return lesson.faults();
+    }
+    const LessonEntry entry{id, file, std::make_shared<const Lesson>(std::move(*lesson))};
+    context.lessons.answers.erase(id); // they may belong to an earlier version of the file
     std::erase_if(list, [&](const LessonEntry &known) { return known.id == entry.id; });
     list.push_back(entry);
     openLesson(context, entry);
@@ -319,8 +335,11 @@ void answerChoice(Shell &context, std::size_t choice) {
         return;
     }
     open.picked = choice;
-    open.reply =
-        isRight(*choices, choice, questionState(context)) ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
+    const LessonState state = questionState(context);
+    const bool right = isRight(*choices, choice, state);
+    open.reply = right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
+    open.hint = hintAfter(*question, choice);
+    recordAnswer(context, withValues(choices->list[choice].text, state), right);
     rememberProgress(context);
     context.animate();
 }
@@ -332,14 +351,15 @@ void answerNumber(Shell &context) {
     if (number == nullptr || open.typed.empty() || !open.settled) {
         return;
     }
-    std::string digits = open.typed;
-    if (digits.find('.') == std::string::npos) {
-        std::replace(digits.begin(), digits.end(), ',', '.');
-    }
-    const std::optional<double> typed = parseNumber(digits);
+    const std::optional<double> typed = answeredNumber(open.typed);
     open.complaint = typed ? "" : "'" + open.typed + "' is not a number; expected one such as 12 or 0.5.";
-    const bool right = typed && isRight(*number, *typed, questionState(context));
+    const LessonState state = questionState(context);
+    const bool right = typed && isRight(*number, *typed, state);
     open.reply = right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
+    if (typed) {
+        open.hint = hintAfter(*question, *typed, state);
+        recordAnswer(context, open.typed, right);
+    }
     rememberProgress(context);
     context.animate();
 }
@@ -347,6 +367,7 @@ void answerNumber(Shell &context) {
 void showAnswer(Shell &context) {
     const auto &question = context.lessons.open->now().question;
     if (question && question->show) {
+        context.lessons.open->shown = true;
         showPosition(context, *question->show);
         context.animate();
     }
@@ -374,10 +395,17 @@ void followLesson(Shell &context) {
     if (isDone(*task, state)) {
         open.done = now;
         open.reply = OpenLesson::Reply::Right;
+        if (!open.shown) {
+            recordAnswer(context, taskAnswer(*now), true);
+        }
         rememberProgress(context);
         context.animate();
     } else if (asksForCandidate(*task)) {
         open.reply = state.chosen ? OpenLesson::Reply::Wrong : OpenLesson::Reply::None;
+        if (state.chosen && state.chosen != open.tried) {
+            recordAnswer(context, candidateAnswer(*state.chosen), false);
+        }
+        open.tried = state.chosen;
     }
 }
 
@@ -397,47 +425,34 @@ void revealHighlights(Shell &context) {
 namespace {
 
 /// Logs that a page asks for something that is not there.
-void logPage(Shell &context, Severity severity, LessonPlace place, const char *code, std::string message,
-             std::string advice) {
-    context.log.add(Diagnostic{.severity = severity,
-                               .code = code,
-                               .message = std::move(message),
-                               .advice = std::move(advice),
-                               .file = context.lessons.open->entry.file.string(),
-                               .line = place.line,
-                               .column = place.column});
+void logPage(Shell &context, Severity severity, LessonPlace place, Diagnostic fault) {
+    fault.severity = severity;
+    fault.file = context.lessons.open->entry.file.string();
+    fault.line = place.line;
+    fault.column = place.column;
+    context.log.add(std::move(fault));
 }
 
+/// Checks a position against the run, once its length is known.
 void checkPosition(Shell &context, const LessonPosition &position) {
     const SessionSnapshot &run = context.run.now();
-    if (run.complete && !position.atEnd && position.advance > run.length()) {
-        const std::string all = std::to_string(run.known);
-        logPage(context, Severity::Warning, position.place, "lesson-position",
-                "position " + std::to_string(position.advance) + " is beyond the end of the run, which has " + all +
-                    " advances",
-                "expected at most " + all + ", or \"end\"");
+    if (!run.complete) {
+        return;
     }
-}
-
-/// Checks the moments of an advance, which the run has just reached. Too many lead into the advances that follow.
-void checkEvents(Shell &context, const LessonPosition &position) {
-    const SessionSnapshot &run = context.run.now();
-    const std::uint64_t past = run.advance - std::min(run.advance, position.advance);
-    if (position.events > 0 && (past > 1 || (past == 1 && run.eventCursor < run.eventCount))) {
-        logPage(context, Severity::Warning, position.place, "lesson-position",
-                std::to_string(position.events) + " events are more than advance " +
-                    std::to_string(position.advance + 1) + " has; the page begins after " +
-                    std::to_string(run.advance) + " advances",
-                "use fewer \"events\"");
+    if (std::optional<Diagnostic> fault = beyondEnd(position, run.known, run.improveSteps)) {
+        logPage(context, Severity::Warning, position.place, *std::move(fault));
     }
 }
 
 void checkPositions(Shell &context, const LessonPage &page) {
-    if (page.document) {
-        checkPosition(context, page.position);
-        checkEvents(context, page.position);
+    if (!page.document) {
+        return;
     }
-    if (page.document && page.question && page.question->show) {
+    checkPosition(context, page.position);
+    if (std::optional<Diagnostic> fault = tooManyEvents(page.position, context.run.now())) {
+        logPage(context, Severity::Warning, page.position.place, *std::move(fault));
+    }
+    if (page.question && page.question->show) {
         checkPosition(context, *page.question->show);
     }
 }
@@ -446,9 +461,10 @@ void checkHighlights(Shell &context, const LessonPage &page) {
     for (const LessonHighlight &highlight : page.highlights) {
         if (context.widgets.find(highlight.widget) == nullptr) {
             // A learner may have hidden its panel, which is no reason to be told so on the canvas.
-            logPage(context, Severity::Note, highlight.place, "lesson-highlight",
-                    "nothing to outline: '" + highlight.widget + "' is not on the screen",
-                    "correct the name, or show its panel with \"panel\"");
+            logPage(context, Severity::Note, highlight.place,
+                    {.code = "lesson-highlight",
+                     .message = "nothing to outline: '" + highlight.widget + "' is not on the screen",
+                     .advice = "correct the name, or show its panel with \"panel\""});
         }
     }
 }

@@ -12,8 +12,9 @@ struct Shell;
 
 // Lessons: their list, the page shown, and the answers. Faults of lesson files go to the log.
 
-/// Reads a lesson with its documents, which lie in its folder. Layers and panels must exist.
-Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file);
+/// Reads a lesson with its documents, which lie in its folder. Layers and panels must exist. `seed`: of its random
+/// numbers.
+Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file, std::uint64_t seed);
 /// Reads the lessons that come with the program into the list, unless this was done before.
 void listLessons(Shell &context);
 

@@ -1,8 +1,10 @@
 #include "core/engine/spacing/parts/expression/expression.hpp"
+#include "core/teaching/tables/power_law.hpp"
 #include "ui/panels/adapted_rounds.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/log_plot_view.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 
@@ -34,6 +36,7 @@ class AdaptPanel final : public Panel {
         drawTarget(context);
         drawStart(context);
         drawRounds(context);
+        drawConvergence(context);
     }
 
   private:
@@ -233,6 +236,27 @@ class AdaptPanel final : public Panel {
             ui::tooltip(context, ui::count(round.mesh.nodes.size()) +
                                      " nodes; the percentage is the estimated error. Click to show this mesh.");
         }
+    }
+
+    /// Draws the estimated errors of the meshes against their numbers of triangles.
+    static void drawConvergence(Shell &context) {
+        LogPlot plot{"", "triangles", "estimated error, %", {}};
+        PlotSeries series;
+        for (const auto &round : context.adaptation.now().rounds) {
+            if (round->error && *round->error > 0.0) {
+                series.points.push_back({static_cast<double>(round->mesh.elements.size()), 100.0 * *round->error});
+            }
+        }
+        const auto law = fitPowerLaw(series.points);
+        if (!law) {
+            return;
+        }
+        plot.series.push_back(std::move(series));
+        ui::logPlot(context, "adapt/plot", plot, 170.0, ui::PlotLegend::Without);
+        ui::small(context,
+                  ui::format("Slope of the line: %.2f. Uniform refinement reaches -0.5 where the field is smooth.",
+                             law->exponent),
+                  true);
     }
 
     std::string field_; ///< name of the nodal values; empty: the expression

@@ -4,6 +4,7 @@
 #include "core/files/json/json_writer.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/atomic_file.hpp"
+#include "core/teaching/lesson/random_numbers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -92,6 +93,7 @@ LessonProgress lessonIn(const JsonValue &json) {
     constexpr std::int64_t kMaxPages = 1000;
     LessonProgress progress;
     progress.page = static_cast<std::size_t>(numberIn(json, "page", 0.0, 0.0, static_cast<double>(kMaxPages)));
+    progress.seed = static_cast<std::uint64_t>(numberIn(json, "seed", 1.0, 1.0, static_cast<double>(kMaxLessonSeed)));
     const auto answered = json.find("answered");
     if (answered && answered->is(JsonKind::Array)) {
         for (const JsonValue page : *answered) {
@@ -308,7 +310,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
     }
     json.endObject().key("lessons").beginObject();
     for (const auto &[name, progress] : settings.lessons) {
-        json.key(name).beginObject().member("page", progress.page);
+        json.key(name).beginObject().member("page", progress.page).member("seed", progress.seed);
         json.key("answered").values(progress.answered).endObject();
     }
     json.endObject().key("recentFiles").values(settings.recentFiles);

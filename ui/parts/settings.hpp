@@ -30,6 +30,7 @@ struct SavedView {
 struct LessonProgress {
     std::size_t page = 0;
     std::set<std::size_t> answered; ///< pages whose question was answered
+    std::uint64_t seed = 1;         ///< of its random numbers
     friend bool operator==(const LessonProgress &, const LessonProgress &) = default;
 };
 

@@ -3,8 +3,11 @@
 #include "core/engine/platform/program.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
+#include <string>
 
 namespace forefront {
 
@@ -33,6 +36,22 @@ fs::path assetFolder() {
     return {};
 }
 
+namespace {
+
+/// Orders files by the number that their names begin with, if they do, and then by name, so that 10 comes after 9.
+bool byNumber(const fs::path &a, const fs::path &b) {
+    const auto numberOf = [](const fs::path &file) {
+        const std::string name = file.filename().string();
+        int number = std::numeric_limits<int>::max();
+        std::from_chars(name.data(), name.data() + name.size(), number);
+        return number;
+    };
+    const int left = numberOf(a), right = numberOf(b);
+    return left != right ? left < right : a < b;
+}
+
+} // namespace
+
 std::vector<fs::path> lessonFiles() {
     std::vector<fs::path> found;
     std::error_code ignored;
@@ -41,7 +60,7 @@ std::vector<fs::path> lessonFiles() {
             found.push_back(entry.path());
         }
     }
-    std::sort(found.begin(), found.end());
+    std::sort(found.begin(), found.end(), byNumber);
     return found;
 }
 

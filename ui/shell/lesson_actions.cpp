@@ -1,6 +1,8 @@
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/glossary_dialog.hpp"
+#include "ui/dialogs/tables_dialog.hpp"
+#include "ui/lessons/lesson_answers.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/shell/main_window.hpp"
 
@@ -76,6 +78,11 @@ void addPageActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kPageUp, kNoModifiers}},
                  .run = [](Shell &c) { goToPage(c, c.lessons.open->page - 1); },
                  .enabled = [](const Shell &c) { return isOpen(c) && c.lessons.open->page > 0; }});
+    actions.add({.id = "lesson.saveAnswers",
+                 .menu = "Learn",
+                 .title = "Save answers\xe2\x80\xa6",
+                 .run = saveAnswers,
+                 .enabled = [](const Shell &c) { return isOpen(c) && hasAnswersToSave(c); }});
     actions.add(
         {.id = "lesson.close", .menu = "Learn", .title = "Close lesson", .run = closeLesson, .enabled = isOpen});
     for (int k = 0; k < 9; ++k) {
@@ -126,6 +133,12 @@ void addLessonActions(ActionRegistry &actions) {
     actions.add(
         {.id = "learn.openLesson", .menu = "Learn", .title = "Open lesson\xe2\x80\xa6", .run = chooseLessonFile});
     addPageActions(actions);
+    actions.add({.id = "learn.tables",
+                 .menu = "Learn",
+                 .title = "Lo's tables\xe2\x80\xa6",
+                 .run = [rows = std::make_shared<TableRows>()](Shell &c) {
+                     c.dialogs.open(std::make_unique<TablesDialog>(c.background, rows));
+                 }});
     actions.add({.id = "learn.sides",
                  .menu = "Learn",
                  .title = "Compare grids or methods side by side",

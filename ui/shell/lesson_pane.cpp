@@ -1,4 +1,5 @@
 #include "core/teaching/lesson/glossary.hpp"
+#include "ui/lessons/lesson_answers.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -7,6 +8,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -96,7 +98,7 @@ void drawReply(Shell &context, const OpenLesson &open, const LessonQuestion &que
                                  : (std::string(icon::kCross) + "  Not yet").c_str());
     ImGui::PopStyleColor();
     ui::mark(context, right ? "lesson/right" : "lesson/wrong");
-    const std::string &more = right ? question.why : question.hint;
+    const std::string &more = right ? question.why : open.hint;
     if (!more.empty()) {
         ui::wrappedText(withValues(more, questionState(context)));
     }
@@ -147,6 +149,24 @@ void drawQuestion(Shell &context, OpenLesson &open) {
     }
 }
 
+/// Draws the links to what can be done with the answers, and with the random numbers of the lesson.
+void drawAnswerLinks(Shell &context, const OpenLesson &open) {
+    if (hasAnswersToSave(context) && ui::link(context, "lesson/save", "Save answers\xe2\x80\xa6")) {
+        saveAnswers(context);
+    }
+    const std::uint64_t seed = open.entry.lesson->seed;
+    if (seed == 0) {
+        return;
+    }
+    if (ui::link(context, "lesson/numbers", "Other numbers")) {
+        chooseOtherNumbers(context);
+        return;
+    }
+    ui::tooltip(context, "The numbers of this lesson are drawn at random. Choose others; your answers are forgotten.");
+    ImGui::SameLine();
+    ui::small(context, "seed " + std::to_string(seed));
+}
+
 /// Draws links to the terms that a page mentions.
 void drawTerms(Shell &context, const LessonPage &page) {
     std::string text = page.title;
@@ -167,6 +187,7 @@ void drawTerms(Shell &context, const LessonPage &page) {
 }
 
 void drawPage(Shell &context, OpenLesson &open) {
+    const std::shared_ptr<const Lesson> shown = open.entry.lesson; // other numbers may replace it below
     const LessonPage &page = open.now();
     ImGui::PushFont(context.fonts.page);
     ui::wrappedText(page.title);
@@ -179,6 +200,7 @@ void drawPage(Shell &context, OpenLesson &open) {
     if (page.question) {
         drawQuestion(context, open);
     }
+    drawAnswerLinks(context, open);
     drawTerms(context, page);
 }
 

@@ -157,6 +157,16 @@ const std::vector<GlossaryTerm> kTerms = {
      "After the front is closed, edges are swapped and nodes moved where this improves the worst angles.",
      {"shape-factor"},
      figures::improvement},
+    {"schoenhardt",
+     "Sch\xc3\xb6nhardt's prism",
+     {"sch\xc3\xb6nhardt"},
+     "A prism with triangles at its bottom and top. Twist the top by 30 degrees, and each side folds inward along one "
+     "of "
+     "its diagonals; the other three diagonals now run outside. Any four of the six corners include the two ends of "
+     "one "
+     "of these, so no tetrahedron with its corners fits inside, and the solid cannot be divided without a new node.",
+     {"closing"},
+     figures::schoenhardt},
 };
 
 bool isWordPart(char c) {

@@ -289,6 +289,44 @@ Figure improvement() {
     return figure;
 }
 
+/// A prism and Schönhardt's, side by side, each in an oblique view: the twist, the folded sides, and in red a diagonal
+/// that runs outside.
+Figure schoenhardt() {
+    constexpr double kTwist = std::numbers::pi / 6.0, kTall = 1.5, kApart = 4.2;
+    Figure figure;
+    const auto corner = [](double around, double up, double right) {
+        const Vec2 flat{std::cos(around), std::sin(around)};
+        return Vec2{flat.x + right, 0.35 * flat.y + up};
+    };
+    for (const bool twisted : {false, true}) {
+        std::vector<Vec2> low, high;
+        for (int k = 0; k < 3; ++k) {
+            const double around = std::numbers::pi * (2.0 * k / 3.0 + 0.4);
+            low.push_back(corner(around, 0.0, twisted ? kApart : 0.0));
+            high.push_back(corner(around + (twisted ? kTwist : 0.0), kTall, twisted ? kApart : 0.0));
+        }
+        add(figure, Ink::Edge, low, true);
+        add(figure, Ink::Boundary, high, true);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            add(figure, Ink::Edge, {low[k], high[k]});
+            add(figure, Ink::Candidate, {low[k], high[next]});
+        }
+        if (twisted) {
+            add(figure, Ink::Rejected, {low[1], high[0]});
+        }
+        for (const Vec2 at : low) {
+            dot(figure, at, Ink::Edge);
+        }
+        for (const Vec2 at : high) {
+            dot(figure, at, Ink::Boundary);
+        }
+    }
+    figure.labels.push_back({{0.0, -0.7}, "prism", Ink::Text});
+    figure.labels.push_back({{kApart, -0.7}, "twisted by 30 degrees", Ink::Text});
+    return figure;
+}
+
 } // namespace figures
 
 } // namespace forefront

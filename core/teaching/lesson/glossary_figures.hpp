@@ -23,5 +23,6 @@ Figure closing();
 Figure gradation();
 Figure methods();
 Figure improvement();
+Figure schoenhardt();
 
 } // namespace forefront::figures

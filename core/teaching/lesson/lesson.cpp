@@ -1,6 +1,8 @@
 #include "core/teaching/lesson/lesson.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace forefront {
 
@@ -36,7 +38,46 @@ bool isRight(const LessonChoices &choices, std::size_t index, const LessonState 
 }
 
 bool isRight(const LessonNumber &question, double number, const LessonState &state) {
-    return holds({question.value, LessonRelation::Is, number, {}, question.within}, state);
+    return holds({question.value, LessonRelation::Is, number, {}, toleranceOf(question, state)}, state);
+}
+
+double toleranceOf(const LessonNumber &question, const LessonState &state) {
+    const double value = valueOf(question.value, state).value_or(0.0);
+    return std::max(question.within, 0.01 * question.percent * std::abs(value));
+}
+
+std::optional<double> answeredNumber(std::string text) {
+    if (text.find('.') == std::string::npos) {
+        std::replace(text.begin(), text.end(), ',', '.');
+    }
+    const std::size_t from = text.find_first_not_of(" \t+"), to = text.find_last_not_of(" \t");
+    if (from == std::string::npos) {
+        return std::nullopt;
+    }
+    double number = 0.0;
+    const char *const end = text.data() + to + 1;
+    const auto [rest, fault] = std::from_chars(text.data() + from, end, number);
+    return fault == std::errc() && rest == end && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+const std::string &hintAfter(const LessonQuestion &question, std::size_t choice) {
+    const auto *const choices = std::get_if<LessonChoices>(&question.answer);
+    const bool own = choices != nullptr && choice < choices->list.size() && !choices->list[choice].hint.empty();
+    return own ? choices->list[choice].hint : question.hint;
+}
+
+const std::string &hintAfter(const LessonQuestion &question, double number, const LessonState &state) {
+    const auto *const asked = std::get_if<LessonNumber>(&question.answer);
+    if (asked == nullptr) {
+        return question.hint;
+    }
+    for (const LessonNumber::Mistake &mistake : asked->mistakes) {
+        const auto value = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
+        if (value && std::abs(*value - number) <= std::max(asked->within, 0.01 * asked->percent * std::abs(*value))) {
+            return mistake.hint;
+        }
+    }
+    return question.hint;
 }
 
 bool isDone(const LessonTask &task, const LessonState &state) {
@@ -46,6 +87,12 @@ bool isDone(const LessonTask &task, const LessonState &state) {
 bool asksForCandidate(const LessonTask &task) {
     return std::any_of(task.until.begin(), task.until.end(), [](const LessonCondition &condition) {
         return condition.value == LessonValue::Chosen || condition.other == LessonValue::Chosen;
+    });
+}
+
+bool asksForMesh(const LessonTask &task) {
+    return std::any_of(task.until.begin(), task.until.end(), [](const LessonCondition &condition) {
+        return needsMesh(condition.value) || (condition.other && needsMesh(*condition.other));
     });
 }
 

@@ -53,14 +53,24 @@ struct LessonChoices {
         std::string text;
         bool right = false;                  ///< if there is no condition
         std::vector<LessonCondition> when{}; ///< right if the run fulfils all of them
+        std::string hint{};                  ///< shown after this choice if it is wrong; empty: that of the question
     };
     std::vector<Choice> list;
 };
 
 /// A question answered by a number.
 struct LessonNumber {
+    /// A wrong number that deserves a hint of its own: a number, or a value that learners confuse with the right one.
+    struct Mistake {
+        double number = 0.0;
+        std::optional<LessonValue> value{}; ///< instead of `number`
+        std::string hint;
+    };
+
     LessonValue value = LessonValue::Advance;
     double within = 1e-9; ///< largest difference from the value
+    double percent = 0.0; ///< or this many per cent of the value, if that is more
+    std::vector<Mistake> mistakes{};
 };
 
 /// A task: bring the run into a state that fulfils all conditions.
@@ -76,6 +86,7 @@ struct LessonQuestion {
     std::string hint;                     ///< shown after a wrong answer; may be empty
     std::string why;                      ///< shown after the right answer; may be empty
     std::optional<LessonPosition> show{}; ///< where the run shows the answer
+    LessonPlace place{};                  ///< in the file
 };
 
 /// A page of a lesson with the scene that it shows. Members that a page omits keep their values from the page before.
@@ -102,6 +113,7 @@ struct Lesson {
     std::string title;
     std::string about; ///< what it teaches, in a sentence
     std::vector<LessonPage> pages;
+    std::uint64_t seed = 0; ///< of its random numbers; 0: it has none
 };
 
 /// Returns the number of pages with a question.
@@ -114,9 +126,18 @@ std::shared_ptr<const Document> documentOf(const LessonPage &page);
 bool isRight(const LessonChoices &choices, std::size_t index, const LessonState &state);
 /// Returns true if a number answers a question.
 bool isRight(const LessonNumber &question, double number, const LessonState &state);
+/// Returns the largest difference of a right answer from the value.
+double toleranceOf(const LessonNumber &question, const LessonState &state);
+/// Returns the number that an answer of a learner is, with a point or a comma; nothing if it is none.
+std::optional<double> answeredNumber(std::string text);
+/// Returns the hint after a wrong choice or number: that of the answer, or else that of the question. May be empty.
+const std::string &hintAfter(const LessonQuestion &question, std::size_t choice);
+const std::string &hintAfter(const LessonQuestion &question, double number, const LessonState &state);
 /// Returns true if the task is done.
 bool isDone(const LessonTask &task, const LessonState &state);
 /// Returns true if the task is to choose a candidate.
 bool asksForCandidate(const LessonTask &task);
+/// Returns true if a condition of the task needs a snapshot with its mesh, see needsMesh().
+bool asksForMesh(const LessonTask &task);
 
 } // namespace forefront

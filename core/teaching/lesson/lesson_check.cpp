@@ -4,7 +4,7 @@
 #include "core/files/common/names.hpp"
 #include "core/files/json/json.hpp"
 #include "core/files/source/text_place.hpp"
-#include "core/teaching/lesson/lesson_run.hpp"
+#include "core/teaching/lesson/position_check.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -46,7 +46,8 @@ class PageMembers {
 /// Checks a page at a time, and keeps the run of the last one.
 class LessonChecker {
   public:
-    LessonChecker(const SourceText &source, const Progress &progress) : source_(source), progress_(progress) {}
+    LessonChecker(const SourceText &source, LessonRuns &runs, const Progress &progress)
+        : source_(source), runs_(runs), progress_(progress) {}
 
     void check(const LessonPage &page, const PageMembers &members) {
         page_ = &page;
@@ -87,13 +88,13 @@ class LessonChecker {
     /// Makes the run of the page unless it is that of the page before. Returns false if there is none.
     bool takeRun() {
         if (ranPage_ != nullptr && sameRun(*ranPage_, *page_)) {
-            return run_.has_value();
+            return run_ != nullptr;
         }
         ranPage_ = page_;
         run_.reset();
-        Result<LessonRun> run = LessonRun::create(*page_, progress_);
+        const Result<std::shared_ptr<LessonRun>> run = runs_.of(*page_, progress_);
         if (run) {
-            run_.emplace(*std::move(run));
+            run_ = *run;
             return true;
         }
         if (!progress_.cancelled()) {
@@ -105,23 +106,12 @@ class LessonChecker {
     }
 
     void checkPosition(const LessonPosition &position, Path path) {
-        if (position.atEnd) {
-            return;
+        std::optional<Diagnostic> fault = beyondEnd(position, run_->advances(), run_->improveSteps());
+        if (!fault) {
+            fault = tooManyEvents(position, *run_->at(position, false));
         }
-        if (position.advance > run_->advances() + run_->improveSteps()) {
-            add(Severity::Error, "lesson-position", path,
-                "position " + std::to_string(position.advance) + " is beyond the end of the run, which has " +
-                    std::to_string(run_->advances()) + " advances and " + std::to_string(run_->improveSteps()) +
-                    " steps of improvement",
-                "expected at most " + std::to_string(run_->advances()) + ", or \"end\"");
-            return;
-        }
-        const std::shared_ptr<const SessionSnapshot> there = run_->at(position, false);
-        const std::uint64_t past = there->advance - std::min(there->advance, position.advance);
-        if (position.events > 0 && (past > 1 || (past == 1 && there->eventCursor < there->eventCount))) {
-            add(Severity::Error, "lesson-position", path,
-                std::to_string(position.events) + " events are more than advance " +
-                    std::to_string(position.advance + 1) + " has");
+        if (fault) {
+            add(Severity::Error, fault->code.c_str(), path, fault->message, fault->advice);
         }
     }
 
@@ -163,6 +153,7 @@ class LessonChecker {
                 add(Severity::Error, "no-answer", {"question", "number"},
                     "the value " + inQuotes(wordOf(number->value)) + " has no number at the position of the page");
             }
+            checkMistakes(*number, state);
             checkText(question.why, state, {"question", "why"});
         } else {
             checkTask(std::get<LessonTask>(question.answer), state);
@@ -173,6 +164,7 @@ class LessonChecker {
         std::size_t right = 0;
         for (std::size_t k = 0; k < choices.list.size(); ++k) {
             checkText(choices.list[k].text, state, {"question", "choices"});
+            checkText(choices.list[k].hint, state, {"question", "choices"});
             right += isRight(choices, k, state) ? 1U : 0U;
         }
         if (right == 0) {
@@ -180,6 +172,19 @@ class LessonChecker {
                 "correct the conditions, or the position");
         } else if (right == choices.list.size()) {
             add(Severity::Warning, "all-right", {"question", "choices"}, "every choice is right");
+        }
+    }
+
+    /// Reports mistakes that are right answers here, since their hint would never show.
+    void checkMistakes(const LessonNumber &number, const LessonState &state) {
+        for (const LessonNumber::Mistake &mistake : number.mistakes) {
+            checkText(mistake.hint, state, {"question", "mistakes"});
+            const auto wrong = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
+            if (!wrong || isRight(number, *wrong, state)) {
+                add(Severity::Warning, "no-mistake", {"question", "mistakes"},
+                    wrong ? "the number of this mistake is the right answer"
+                          : "the value of this mistake has no number at the position of the page");
+            }
         }
     }
 
@@ -226,9 +231,7 @@ class LessonChecker {
         if (run_->advances() > kMaxSearched) {
             return true; // not known
         }
-        const bool ofMesh = std::any_of(task.until.begin(), task.until.end(), [](const LessonCondition &condition) {
-            return condition.value == LessonValue::MeanDelta || condition.other == LessonValue::MeanDelta;
-        });
+        const bool ofMesh = asksForMesh(task);
         for (std::uint64_t k = 0; k <= run_->advances() + run_->improveSteps() && !progress_.cancelled(); ++k) {
             if (canBeDone(task, *run_->at({.advance = k}, ofMesh))) {
                 return true;
@@ -238,23 +241,29 @@ class LessonChecker {
     }
 
     const SourceText &source_;
+    LessonRuns &runs_;
     const Progress &progress_;
     Diagnostics faults_;
     const LessonPage *page_ = nullptr;
     const PageMembers *members_ = nullptr;
     const LessonPage *ranPage_ = nullptr; ///< whose run it is
-    std::optional<LessonRun> run_;
+    std::shared_ptr<LessonRun> run_;
 };
 
 } // namespace
 
 Diagnostics checkLesson(const Lesson &lesson, const SourceText &source, const Progress &progress) {
+    LessonRuns runs;
+    return checkLesson(lesson, source, runs, progress);
+}
+
+Diagnostics checkLesson(const Lesson &lesson, const SourceText &source, LessonRuns &runs, const Progress &progress) {
     const auto json = JsonDocument::parse(source);
     const auto pages = json ? json->root().find("pages") : std::nullopt;
     if (!pages) {
         return json ? Diagnostics{} : json.faults();
     }
-    LessonChecker checker(source, progress);
+    LessonChecker checker(source, runs, progress);
     std::size_t number = 0;
     for (const JsonValue item : *pages) {
         if (progress.cancelled()) {

@@ -3,6 +3,7 @@
 #include "core/engine/base/progress.hpp"
 #include "core/files/source/source.hpp"
 #include "core/teaching/lesson/lesson.hpp"
+#include "core/teaching/lesson/lesson_run.hpp"
 
 namespace forefront {
 
@@ -11,5 +12,7 @@ namespace forefront {
 /// be done. `source`: the file that the lesson was read from. Returns the faults with their places in it, warnings
 /// among them: a question with right answers only, or a task that is done from the start; "cancelled" alone if it was.
 Diagnostics checkLesson(const Lesson &lesson, const SourceText &source, const Progress &progress);
+/// Does the same, and leaves the runs for further use.
+Diagnostics checkLesson(const Lesson &lesson, const SourceText &source, LessonRuns &runs, const Progress &progress);
 
 } // namespace forefront

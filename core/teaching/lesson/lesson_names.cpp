@@ -43,25 +43,34 @@ constexpr std::string_view kStatistics[] = {
     "Nn",       "Ne",   "area",   "Γ",       "Nb",   "Nc",     "Ns",      "Nt",    "cells",  "candidates", "new nodes",
     "deferred", "time", "forced", "improve", "hash", "α mean", "α geom.", "α min", "δ mean", "min ∠",      "max ∠"};
 
+using WidgetNames = std::map<std::string, std::vector<std::string>>;
+
+void add(WidgetNames &widgets, const std::string &group, Names list) {
+    for (const std::string_view name : list) {
+        widgets[group].push_back(group + '/' + std::string(name));
+    }
+}
+
 } // namespace
+
+WidgetNames widgetNames() {
+    WidgetNames widgets;
+    add(widgets, "timeline", kTimeline);
+    add(widgets, "statistics", kStatistics);
+    for (int step = 1; step <= kStepRows; ++step) {
+        widgets["steps"].push_back("steps/" + std::to_string(step));
+    }
+    return widgets;
+}
 
 LessonNames editorNames() {
     LessonNames names;
     names.layers.assign(std::begin(kLayers), std::end(kLayers));
     names.panels.assign(std::begin(kPanels), std::end(kPanels));
-    const auto add = [&names](const std::string &group, Names list) {
-        for (const std::string_view name : list) {
-            names.widgets[group].push_back(group + '/' + std::string(name));
-        }
-    };
-    add("layer", kLayers);
-    add("panel", kPanels);
-    add("tool", kTools);
-    add("timeline", kTimeline);
-    add("statistics", kStatistics);
-    for (int step = 1; step <= kStepRows; ++step) {
-        names.widgets["steps"].push_back("steps/" + std::to_string(step));
-    }
+    names.widgets = widgetNames();
+    add(names.widgets, "layer", kLayers);
+    add(names.widgets, "panel", kPanels);
+    add(names.widgets, "tool", kTools);
     return names;
 }
 

@@ -14,9 +14,9 @@ namespace forefront {
 namespace {
 
 constexpr std::array<std::string_view, 5> kLessonMembers = {"format", "version", "title", "about", "pages"};
-constexpr std::array<std::string_view, 14> kPageMembers = {"title",   "text",  "document",  "method",  "grid",
-                                                           "improve", "rules", "position",  "layers",  "panel",
-                                                           "camera",  "range", "highlight", "question"};
+constexpr std::array<std::string_view, 15> kPageMembers = {"title",   "text",  "document",  "method",   "grid",
+                                                           "improve", "rules", "position",  "layers",   "panel",
+                                                           "camera",  "range", "highlight", "question", "random"};
 
 class LessonReader {
   public:
@@ -36,15 +36,18 @@ class LessonReader {
         expectMembers(check_, root, kLessonMembers, "the lesson");
         Lesson lesson;
         if (const auto title = check_.member(root, "title", "the lesson")) {
-            lesson.title = shownText(check_, *title, "the title of a lesson", false);
+            lesson.title = shownText(check_, *title, "the title of a lesson", nullptr);
         }
         if (const auto about = root.find("about")) {
-            lesson.about = shownText(check_, *about, "\"about\"", false);
+            lesson.about = shownText(check_, *about, "\"about\"", nullptr);
         }
         if (const auto pages = check_.member(root, "pages", "the lesson");
             pages && check_.expect(*pages, JsonKind::Array, "\"pages\"")) {
             for (const JsonValue item : *pages) {
                 if (check_.expect(item, JsonKind::Object, "a page")) {
+                    if (const auto random = item.find("random")) {
+                        readNumbers(*random, check_, names_.seed, lesson.pages.size(), numbers_);
+                    }
                     lesson.pages.push_back(page(item, lesson.pages.empty() ? LessonPage() : lesson.pages.back()));
                 }
             }
@@ -55,6 +58,7 @@ class LessonReader {
         if (!check_.faults().empty()) {
             return check_.faults();
         }
+        lesson.seed = numbers_.empty() ? 0 : names_.seed;
         return lesson;
     }
 
@@ -68,7 +72,7 @@ class LessonReader {
         page.question.reset();
         page.title.clear();
         if (const auto title = check_.member(item, "title", "the page")) {
-            page.title = shownText(check_, *title, "the title of a page", false);
+            page.title = shownText(check_, *title, "the title of a page", nullptr);
         }
         if (const auto text = check_.member(item, "text", "the page")) {
             paragraphs(*text, page);
@@ -79,17 +83,17 @@ class LessonReader {
         }
         if (const auto question = item.find("question");
             question && check_.expect(*question, JsonKind::Object, "\"question\"")) {
-            page.question = readQuestion(*question, check_);
+            page.question = readQuestion(*question, check_, numbers_);
         }
         return page;
     }
 
     void paragraphs(const JsonValue &text, LessonPage &page) {
         if (text.is(JsonKind::String)) {
-            page.paragraphs.push_back(shownText(check_, text, "\"text\"", true));
+            page.paragraphs.push_back(shownText(check_, text, "\"text\"", &numbers_));
         } else if (check_.expect(text, JsonKind::Array, "\"text\"")) {
             for (const JsonValue paragraph : text) {
-                page.paragraphs.push_back(shownText(check_, paragraph, "a paragraph", true));
+                page.paragraphs.push_back(shownText(check_, paragraph, "a paragraph", &numbers_));
             }
         }
     }
@@ -118,7 +122,7 @@ class LessonReader {
             page.rules = readRules(*rules, check_);
         }
         if (const auto position = item.find("position")) {
-            page.position = readPosition(*position, check_);
+            page.position = readPosition(*position, check_, numbers_);
         }
         if (const auto layers = item.find("layers")) {
             page.layers = words(*layers, "\"layers\"", names_.layers, "layer");
@@ -160,7 +164,7 @@ class LessonReader {
     }
 
     void document(const JsonValue &value, LessonPage &page) {
-        page.documentName = shownText(check_, value, "\"document\"", false);
+        page.documentName = shownText(check_, value, "\"document\"", nullptr);
         page.method.reset();
         page.grid.reset();
         page.improve.reset();
@@ -250,6 +254,7 @@ class LessonReader {
 
     const LessonNames &names_;
     JsonCheck check_;
+    RandomNumbers numbers_; ///< of this page and those before
     std::map<std::string, std::shared_ptr<const Document>> documents_;
 };
 

@@ -4,6 +4,7 @@
 #include "core/files/source/source.hpp"
 #include "core/teaching/lesson/lesson.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -23,6 +24,8 @@ struct LessonNames {
     std::map<std::string, std::vector<std::string>> widgets;
     /// Reads the document with this name, a path relative to the lesson; empty: documents are not read.
     std::function<Result<Document>(const std::string &name)> document;
+    /// Chooses the random numbers of the lesson; the same seed gives the same numbers.
+    std::uint64_t seed = 1;
 };
 
 /// Reads a lesson, JSON as described in assets/lessons/README.md. Every fault carries its place in the source; unknown

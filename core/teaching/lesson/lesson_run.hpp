@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -25,15 +27,38 @@ class LessonRun {
     /// whose figures are then complete.
     std::shared_ptr<const SessionSnapshot> at(const LessonPosition &position, bool mesh = true);
 
+    /// Returns the stepper, which may be moved anywhere, and the options of its job.
+    MeshStepper &stepper() { return stepper_; }
+    const MeshingOptions &options() const { return options_; }
+
   private:
-    explicit LessonRun(MeshStepper stepper) : stepper_(std::move(stepper)) {}
+    LessonRun(MeshStepper stepper, const MeshingOptions &options) : stepper_(std::move(stepper)), options_(options) {}
 
     MeshStepper stepper_;
+    MeshingOptions options_;
     std::uint64_t advances_ = 0;
     std::size_t improveSteps_ = 0;
 };
 
 /// Returns true if two pages show the same run.
 bool sameRun(const LessonPage &a, const LessonPage &b);
+
+/// The runs of the pages of a lesson, so that no drawing is run twice in a row.
+class LessonRuns {
+  public:
+    enum class Keep : std::uint8_t { Last, All };
+
+    explicit LessonRuns(Keep keep = Keep::Last) : keep_(keep) {}
+
+    /// Returns the run of a page, which must have a drawing. Errors: those of LessonRun::create().
+    Result<std::shared_ptr<LessonRun>> of(const LessonPage &page, const Progress &progress);
+    /// Returns the number of runs made so far.
+    std::size_t made() const { return made_; }
+
+  private:
+    Keep keep_;
+    std::vector<std::pair<LessonPage, std::shared_ptr<LessonRun>>> runs_;
+    std::size_t made_ = 0;
+};
 
 } // namespace forefront

@@ -110,6 +110,14 @@ std::optional<double> valueOf(LessonValue value, const LessonState &state) {
     }
 }
 
+bool needsMesh(LessonValue value) {
+    return value == LessonValue::MeanDelta;
+}
+
+bool needsMesh(std::string_view text) {
+    return text.find('{' + std::string(wordOf(LessonValue::MeanDelta)) + '}') != std::string_view::npos;
+}
+
 std::string withValues(std::string_view pattern, const LessonState &state) {
     std::string result;
     for (std::size_t at = 0; at < pattern.size();) {

@@ -67,6 +67,10 @@ struct LessonState {
 /// Returns a value; nothing if the run has none, such as an advance before the first.
 std::optional<double> valueOf(LessonValue value, const LessonState &state);
 
+/// Returns true if a value, or one in the braces of a text, is known only in snapshots with their mesh.
+bool needsMesh(LessonValue value);
+bool needsMesh(std::string_view text);
+
 /// Returns a text in which each {word} of a lesson value is replaced by its number, or by "–" if there is none.
 std::string withValues(std::string_view text, const LessonState &state);
 

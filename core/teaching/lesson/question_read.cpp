@@ -21,8 +21,38 @@ double tolerance(const JsonValue &object, JsonCheck &check) {
     return within ? check.notNegative(*within, "\"within\"") : LessonCondition().within;
 }
 
+/// Reads the tolerance of a number: a difference, or per cent of the value as a text such as "2 %".
+void readTolerance(const JsonValue &object, JsonCheck &check, LessonNumber &number) {
+    const auto within = object.find("within");
+    if (!within || !within->is(JsonKind::String)) {
+        number.within = tolerance(object, check);
+        return;
+    }
+    std::string text = within->string();
+    const std::size_t sign = text.find('%');
+    const auto percent = sign + 1 == text.size() ? answeredNumber(text.substr(0, sign)) : std::nullopt;
+    if (percent && *percent >= 0.0) {
+        number.percent = *percent;
+        return;
+    }
+    check.fault(*within, "bad-field",
+                "expected a number or a text such as \"2 %\" for \"within\", got \"" + validUtf8(text) + '"');
+}
+
+/// Reads a number, the name of a random number, or the word of a value.
+void readBound(const JsonValue &bound, JsonCheck &check, const RandomNumbers &numbers, double &number,
+               std::optional<LessonValue> &value, std::string_view what) {
+    if (!bound.is(JsonKind::String)) {
+        number = check.number(bound, what);
+    } else if (const auto random = numbers.find(bound.string()); random != numbers.end()) {
+        number = static_cast<double>(random->second);
+    } else {
+        value = valueWord(bound, check, what);
+    }
+}
+
 /// Reads {"value": WORD, "is": NUMBER or WORD}, or "above" or "below" in place of "is".
-LessonCondition readCondition(const JsonValue &object, JsonCheck &check) {
+LessonCondition readCondition(const JsonValue &object, JsonCheck &check, const RandomNumbers &numbers) {
     constexpr std::array<std::string_view, 5> kMembers = {"value", "is", "above", "below", "within"};
     LessonCondition condition;
     if (!check.expect(object, JsonKind::Object, "a condition")) {
@@ -40,11 +70,7 @@ LessonCondition readCondition(const JsonValue &object, JsonCheck &check) {
         }
         ++relations;
         condition.relation = relation;
-        if (bound->is(JsonKind::String)) {
-            condition.other = valueWord(*bound, check, "the bound of a condition");
-        } else {
-            condition.number = check.number(*bound, "the bound of a condition");
-        }
+        readBound(*bound, check, numbers, condition.number, condition.other, "the bound of a condition");
     }
     if (relations != 1) {
         check.fault(object, "bad-condition",
@@ -56,14 +82,14 @@ LessonCondition readCondition(const JsonValue &object, JsonCheck &check) {
 }
 
 /// Reads a condition or a list of them.
-std::vector<LessonCondition> readConditions(const JsonValue &value, JsonCheck &check) {
+std::vector<LessonCondition> readConditions(const JsonValue &value, JsonCheck &check, const RandomNumbers &numbers) {
     std::vector<LessonCondition> conditions;
     if (!value.is(JsonKind::Array)) {
-        conditions.push_back(readCondition(value, check));
+        conditions.push_back(readCondition(value, check, numbers));
         return conditions;
     }
     for (const JsonValue item : value) {
-        conditions.push_back(readCondition(item, check));
+        conditions.push_back(readCondition(item, check, numbers));
     }
     if (conditions.empty()) {
         check.fault(value, "bad-condition", "expected at least one condition");
@@ -71,29 +97,65 @@ std::vector<LessonCondition> readConditions(const JsonValue &value, JsonCheck &c
     return conditions;
 }
 
-LessonChoices readChoices(const JsonValue &list, JsonCheck &check) {
-    constexpr std::array<std::string_view, 2> kMembers = {"text", "right"};
+LessonChoices::Choice readChoice(const JsonValue &item, JsonCheck &check, const RandomNumbers &numbers) {
+    constexpr std::array<std::string_view, 3> kMembers = {"text", "right", "hint"};
+    LessonChoices::Choice choice;
+    expectMembers(check, item, kMembers, "a choice");
+    if (const auto text = check.member(item, "text", "the choice")) {
+        choice.text = shownText(check, *text, "the text of a choice", &numbers);
+    }
+    if (const auto right = item.find("right")) {
+        if (right->is(JsonKind::True) || right->is(JsonKind::False)) {
+            choice.right = right->is(JsonKind::True);
+        } else {
+            choice.when = readConditions(*right, check, numbers);
+        }
+    }
+    if (const auto hint = item.find("hint")) {
+        choice.hint = shownText(check, *hint, "the hint of a choice", &numbers);
+        if (choice.right && choice.when.empty()) {
+            check.fault(*hint, "bad-question", "a hint has no effect on a choice that is right",
+                        "move it to a wrong choice, or into \"why\"");
+        }
+    }
+    return choice;
+}
+
+/// Reads [{"is": NUMBER or WORD, "hint": TEXT}, ...].
+std::vector<LessonNumber::Mistake> readMistakes(const JsonValue &list, JsonCheck &check, const RandomNumbers &numbers) {
+    constexpr std::array<std::string_view, 2> kMembers = {"is", "hint"};
+    std::vector<LessonNumber::Mistake> mistakes;
+    if (!check.expect(list, JsonKind::Array, "\"mistakes\"")) {
+        return mistakes;
+    }
+    for (const JsonValue item : list) {
+        if (!check.expect(item, JsonKind::Object, "a mistake")) {
+            continue;
+        }
+        expectMembers(check, item, kMembers, "a mistake");
+        LessonNumber::Mistake mistake;
+        if (const auto bound = check.member(item, "is", "the mistake")) {
+            readBound(*bound, check, numbers, mistake.number, mistake.value, "the number of a mistake");
+        }
+        if (const auto hint = check.member(item, "hint", "the mistake")) {
+            mistake.hint = shownText(check, *hint, "the hint of a mistake", &numbers);
+        }
+        mistakes.push_back(std::move(mistake));
+    }
+    return mistakes;
+}
+
+LessonChoices readChoices(const JsonValue &list, JsonCheck &check, const RandomNumbers &numbers) {
     LessonChoices choices;
     if (!check.expect(list, JsonKind::Array, "\"choices\"")) {
         return choices;
     }
     bool anyRight = false;
     for (const JsonValue item : list) {
-        LessonChoices::Choice choice;
         if (!check.expect(item, JsonKind::Object, "a choice")) {
             continue;
         }
-        expectMembers(check, item, kMembers, "a choice");
-        if (const auto text = check.member(item, "text", "the choice")) {
-            choice.text = shownText(check, *text, "the text of a choice", true);
-        }
-        if (const auto right = item.find("right")) {
-            if (right->is(JsonKind::True) || right->is(JsonKind::False)) {
-                choice.right = right->is(JsonKind::True);
-            } else {
-                choice.when = readConditions(*right, check);
-            }
-        }
+        LessonChoices::Choice choice = readChoice(item, check, numbers);
         anyRight = anyRight || choice.right || !choice.when.empty();
         choices.list.push_back(std::move(choice));
     }
@@ -133,25 +195,63 @@ void expectMembers(JsonCheck &check, const JsonValue &object, std::span<const st
     }
 }
 
-std::string shownText(JsonCheck &check, const JsonValue &value, std::string_view what, bool values) {
+std::string shownText(JsonCheck &check, const JsonValue &value, std::string_view what, const RandomNumbers *numbers) {
     std::string text = check.string(value, what);
     if (value.is(JsonKind::String) && text.find_first_not_of(" \t\n") == std::string::npos) {
         check.fault(value, "empty-text", "expected a text for " + std::string(what) + ", got an empty one");
     }
-    if (values) {
+    if (numbers != nullptr) {
+        text = withNumbers(std::move(text), *numbers);
         checkBraces(check, value, text);
     }
     return text;
 }
 
-LessonPosition readPosition(const JsonValue &value, JsonCheck &check) {
+void readNumbers(const JsonValue &object, JsonCheck &check, std::uint64_t seed, std::size_t page,
+                 RandomNumbers &numbers) {
+    constexpr std::int64_t kMax = 1'000'000'000;
+    if (!check.expect(object, JsonKind::Object, "\"random\"")) {
+        return;
+    }
+    for (auto member = object.begin(); member != object.end(); ++member) {
+        const std::string name = member.key();
+        if (name.empty() || name == "end" || fromWord<LessonValue>(name) ||
+            name.find_first_of("{} ") != std::string::npos) {
+            check.fault(member.keyValue(), "bad-name", "a random number cannot be called " + inQuotes(name),
+                        "choose a word that is no value, such as n");
+        }
+        std::vector<std::int64_t> ends;
+        if (check.expect(*member, JsonKind::Array, "a random number")) {
+            for (const JsonValue end : *member) {
+                ends.push_back(check.integer(end, -kMax, kMax, "the range of a random number"));
+            }
+        }
+        if (ends.size() != 2 || ends[0] >= ends[1]) {
+            check.fault(*member, "bad-range", "expected the smallest and the largest number, such as [3, 20]");
+            ends = {0, 1};
+        }
+        numbers[name] = randomNumber(seed, page, name, ends[0], ends[1]);
+    }
+}
+
+LessonPosition readPosition(const JsonValue &value, JsonCheck &check, const RandomNumbers &numbers) {
     constexpr std::array<std::string_view, 2> kMembers = {"advance", "events"};
     LessonPosition position;
     const TextPlace place = check.place(value);
     position.place = {place.line, place.column};
+    const auto isRandom = [&](const JsonValue &name) {
+        const auto random = name.is(JsonKind::String) ? numbers.find(name.string()) : numbers.end();
+        if (random != numbers.end()) {
+            position.advance = static_cast<std::uint64_t>(std::max<std::int64_t>(random->second, 0));
+        }
+        return random != numbers.end();
+    };
     const auto advance = [&](const JsonValue &number) {
         return static_cast<std::uint64_t>(check.integer(number, 0, kMaxAdvances, "the position"));
     };
+    if (isRandom(value)) {
+        return position;
+    }
     if (value.is(JsonKind::String)) {
         const std::string word = value.string();
         const bool number = !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
@@ -165,7 +265,7 @@ LessonPosition readPosition(const JsonValue &value, JsonCheck &check) {
     } else if (value.is(JsonKind::Object)) {
         expectMembers(check, value, kMembers, "a position");
         if (const auto number = check.member(value, "advance", "the position")) {
-            position.advance = advance(*number);
+            position.advance = isRandom(*number) ? position.advance : advance(*number);
         }
         if (const auto events = value.find("events")) {
             position.events = check.integer(*events, 0, kMaxEvents, "the number of events");
@@ -176,13 +276,15 @@ LessonPosition readPosition(const JsonValue &value, JsonCheck &check) {
     return position;
 }
 
-LessonQuestion readQuestion(const JsonValue &object, JsonCheck &check) {
-    constexpr std::array<std::string_view, 8> kMembers = {"text",  "choices", "number", "within",
+LessonQuestion readQuestion(const JsonValue &object, JsonCheck &check, const RandomNumbers &numbers) {
+    constexpr std::array<std::string_view, 9> kMembers = {"text",  "choices", "number", "within", "mistakes",
                                                           "until", "show",    "hint",   "why"};
     expectMembers(check, object, kMembers, "a question");
     LessonQuestion question;
+    const TextPlace place = check.place(object);
+    question.place = {place.line, place.column};
     if (const auto text = check.member(object, "text", "the question")) {
-        question.text = shownText(check, *text, "the text of a question", true);
+        question.text = shownText(check, *text, "the text of a question", &numbers);
     }
     const auto choices = object.find("choices"), number = object.find("number"), until = object.find("until");
     const int kinds = (choices ? 1 : 0) + (number ? 1 : 0) + (until ? 1 : 0);
@@ -191,25 +293,33 @@ LessonQuestion readQuestion(const JsonValue &object, JsonCheck &check) {
                     "expected one of \"choices\", \"number\" and \"until\" in a question, found " +
                         std::to_string(kinds));
     }
-    if (const auto within = object.find("within"); within && !number) {
-        check.fault(*within, "bad-question", "\"within\" has no effect in a question without \"number\"",
-                    "move it into the condition, or leave it out");
+    for (const char *const member : {"within", "mistakes"}) {
+        if (const auto given = object.find(member); given && !number) {
+            check.fault(*given, "bad-question",
+                        '"' + std::string(member) + "\" has no effect in a question without \"number\"",
+                        "move it into the condition, or leave it out");
+        }
     }
     if (choices) {
-        question.answer = readChoices(*choices, check);
+        question.answer = readChoices(*choices, check, numbers);
     } else if (number) {
-        question.answer = LessonNumber{valueWord(*number, check, "\"number\""), tolerance(object, check)};
+        LessonNumber asked{.value = valueWord(*number, check, "\"number\"")};
+        readTolerance(object, check, asked);
+        if (const auto mistakes = object.find("mistakes")) {
+            asked.mistakes = readMistakes(*mistakes, check, numbers);
+        }
+        question.answer = std::move(asked);
     } else if (until) {
-        question.answer = LessonTask{readConditions(*until, check)};
+        question.answer = LessonTask{readConditions(*until, check, numbers)};
     }
     if (const auto show = object.find("show")) {
-        question.show = readPosition(*show, check);
+        question.show = readPosition(*show, check, numbers);
     }
     if (const auto hint = object.find("hint")) {
-        question.hint = shownText(check, *hint, "\"hint\"", true);
+        question.hint = shownText(check, *hint, "\"hint\"", &numbers);
     }
     if (const auto why = object.find("why")) {
-        question.why = shownText(check, *why, "\"why\"", true);
+        question.why = shownText(check, *why, "\"why\"", &numbers);
     }
     return question;
 }

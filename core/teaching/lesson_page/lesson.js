@@ -62,10 +62,9 @@
     $('reply').className = right ? 'right' : 'wrong';
     $('reply').textContent = text;
   };
-  const answer = (text, right, why) => {
+  const answer = (text, right, why, hint) => {
     given[page].push({ answer: text, right });
-    const question = questionNow();
-    reply(right, right ? why || 'Right.' : question.hint || 'Not yet. Try again.');
+    reply(right, right ? why || 'Right.' : hint || questionNow().hint || 'Not yet. Try again.');
   };
   /** A task is done at the listed moments: [advances done, within the next one, improved, candidate or -1, words]. */
   const checkTask = () => {
@@ -93,9 +92,10 @@
   };
   const parse = (text) => Number(text.includes('.') ? text : text.replace(',', '.'));
   const answerNumber = () => {
-    const field = $('typed'), value = parse(field.value.trim()), { number, within, why } = questionNow();
+    const field = $('typed'), value = parse(field.value.trim()), { number, within, why, mistakes } = questionNow();
     if (field.value.trim() === '' || Number.isNaN(value)) { reply(false, 'Expected a number such as 12 or 0.5.'); return; }
-    answer(field.value.trim(), Math.abs(value - number) <= within, why);
+    const mistake = mistakes.find(([wrong, tolerance]) => Math.abs(value - wrong) <= tolerance);
+    answer(field.value.trim(), Math.abs(value - number) <= within, why, mistake && mistake[2]);
   };
   const showQuestion = () => {
     const question = questionNow();
@@ -107,10 +107,10 @@
     const answers = $('answers');
     answers.replaceChildren();
     if (question.choices) {
-      question.choices.forEach(({ text, right }, i) => {
+      question.choices.forEach(({ text, right, hint }, i) => {
         const choice = button((i + 1) + '.  ' + text, () => {
           choice.className = right ? 'right' : 'wrong';
-          answer(text, right, question.why);
+          answer(text, right, question.why, hint);
         });
         answers.append(choice);
       });
@@ -123,6 +123,7 @@
       row.append(field, button('Check', answerNumber));
       answers.append(row);
     }
+    if (question.note) { reply(false, question.note); }
     if (solved()) { reply(true, 'Answered.'); }
   };
   $('question').onsubmit = (event) => {
@@ -137,7 +138,7 @@
   // ---- Pages ----
 
   const showPage = () => {
-    const { title, text } = lesson.pages[page];
+    const { title, text, note } = lesson.pages[page];
     $('number').textContent = 'Page ' + (page + 1) + ' of ' + lesson.pages.length;
     $('heading').textContent = title;
     $('text').replaceChildren(...text.map((paragraph) => {
@@ -145,6 +146,8 @@
       p.textContent = paragraph;
       return p;
     }));
+    $('note').hidden = !note;
+    $('note').textContent = note || '';
     $('previous').disabled = page === 0;
     $('following').disabled = page + 1 === lesson.pages.length;
     $('lesson-page').scrollTop = 0;
@@ -173,7 +176,7 @@
   // ---- Answers as a file ----
 
   $('save').onclick = () => {
-    const record = { format: 'forefront-answers', version: 1, lesson: lesson.title,
+    const record = { format: 'forefront-answers', version: 1, lesson: lesson.title, seed: lesson.seed,
       pages: lesson.pages.map(({ title, question }, i) => ({ title, question: question ? question.text : null, answers: given[i] })) };
     const link = document.createElement('a');
     link.href = URL.createObjectURL(new Blob([JSON.stringify(record, null, 2) + '\n'], { type: 'application/json' }));

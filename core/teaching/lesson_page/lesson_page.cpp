@@ -1,13 +1,13 @@
 #include "core/teaching/lesson_page/lesson_page.hpp"
 
 #include "core/drawing/domain/document_domain.hpp"
-#include "core/teaching/lesson/lesson_run.hpp"
 #include "core/teaching/lesson_page/lesson_parts.hpp"
 #include "core/teaching/page/player.hpp"
 #include "core/teaching/page/recorded_run.hpp"
 #include "core/teaching/page/run_record.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,17 +18,23 @@ namespace forefront {
 
 namespace {
 
+/// A run that pages show.
+struct ShownRun {
+    const LessonPage *page = nullptr; ///< the first of them
+    bool improved = false;            ///< the player has an improved mesh after the front, see RecordedRun::improved
+};
+
 /// Returns the index into `runs` of the run that a page shows, which becomes a new one if none of them is the same;
 /// -1 without a drawing.
-int runOf(const LessonPage &page, std::vector<const LessonPage *> &runs) {
+int runOf(const LessonPage &page, std::vector<ShownRun> &runs) {
     if (!page.document) {
         return -1;
     }
     const auto found =
-        std::find_if(runs.begin(), runs.end(), [&page](const LessonPage *known) { return sameRun(*known, page); });
+        std::find_if(runs.begin(), runs.end(), [&page](const ShownRun &known) { return sameRun(*known.page, page); });
     const auto at = static_cast<int>(found - runs.begin());
     if (found == runs.end()) {
-        runs.push_back(&page);
+        runs.push_back({&page});
     }
     return at;
 }
@@ -60,24 +66,30 @@ std::vector<bool> detailedOf(const RecordedRun &run, const Lesson &lesson, const
     return detailed;
 }
 
-/// Writes the data of the pages. Runs pages again to find the values in their texts and the right answers.
+/// Writes the data of the pages, with the values in their texts and the right answers.
 class LessonData {
   public:
     LessonData(TextWriter &out, const Progress &progress) : out_(out), progress_(progress) {}
 
-    /// Writes a page as an object. `run`: see runOf(). Errors: those of the run.
-    Status page(const LessonPage &page, int run) {
+    /// Writes a page as an object. `number`: the index of its run; -1: `run` is null. `improved`: see ShownRun.
+    void page(const LessonPage &page, int number, LessonRun *run, bool improved) {
+        page_ = &page;
+        run_ = run;
+        improved_ = improved;
         SessionSnapshot none;
         std::shared_ptr<const SessionSnapshot> shown(&none, [](const SessionSnapshot *) {});
-        if (run >= 0) {
-            if (Status faults = takeRun(page); !faults.empty()) {
-                return faults;
-            }
+        if (run != nullptr) {
             shown = run_->at(page.position);
         }
         const LessonState state{*shown};
-        out_ << "{\"title\":" << scriptString(page.title) << ",\"run\":" << run << ",\"at\":";
-        position(page.position, run >= 0);
+        out_ << "{\"title\":" << scriptString(page.title) << ",\"run\":" << number << ",\"at\":";
+        position(page.position);
+        if (shown->improveStep > 0 && !shown->atEnd()) {
+            out_ << ",\"note\":"
+                 << scriptString("This page is about step " + std::to_string(shown->improveStep) + " of " +
+                                 std::to_string(shown->improveSteps) +
+                                 " of the improvement, which the editor shows. Here you see the mesh before it.");
+        }
         out_ << ",\"view\":";
         view(page.camera);
         const bool cells =
@@ -88,12 +100,11 @@ class LessonData {
         }
         out_ << "],\n\"question\":";
         if (page.question) {
-            question(*page.question, state, run >= 0);
+            question(*page.question, state);
         } else {
             out_ << "null";
         }
         out_ << '}';
-        return {};
     }
 
     /// Writes the texts that tasks refer to.
@@ -105,23 +116,14 @@ class LessonData {
         out_ << ']';
     }
 
-  private:
-    Status takeRun(const LessonPage &page) {
-        if (ranPage_ != nullptr && sameRun(*ranPage_, page)) {
-            return {};
-        }
-        Result<LessonRun> run = LessonRun::create(page, progress_);
-        if (!run) {
-            return run.faults();
-        }
-        ranPage_ = &page;
-        run_.emplace(*std::move(run));
-        return {};
-    }
+    /// Returns the warnings about the pages written so far.
+    Diagnostics takeWarnings() { return std::move(warnings_); }
 
+  private:
     /// Writes a position of the player: advances done, event of the next one, whether the mesh is improved. The player
     /// has no moment of its own for the first event, the choice of the base, and none for steps of the improvement.
-    void position(const LessonPosition &position, bool hasRun) {
+    void position(const LessonPosition &position) {
+        const bool hasRun = run_ != nullptr;
         const std::uint64_t last = hasRun ? run_->advances() : 0;
         const std::uint64_t beyond = position.advance - std::min(position.advance, last);
         const bool end = hasRun && (position.atEnd ||
@@ -130,7 +132,7 @@ class LessonData {
         const std::uint64_t done = position.atEnd ? last : std::min(position.advance, last);
         const std::int64_t event =
             position.atEnd || done == last || position.events == 0 ? 0 : std::max<std::int64_t>(position.events - 1, 1);
-        out_ << '[' << done << ',' << event << ',' << (end && run_->improveSteps() > 0 ? 1 : 0) << ']';
+        out_ << '[' << done << ',' << event << ',' << (end && improved_ ? 1 : 0) << ']';
     }
 
     void view(const LessonCamera &camera) {
@@ -144,7 +146,7 @@ class LessonData {
         }
     }
 
-    void question(const LessonQuestion &question, const LessonState &state, bool hasRun) {
+    void question(const LessonQuestion &question, const LessonState &state) {
         const auto *const task = std::get_if<LessonTask>(&question.answer);
         out_ << "{\"text\":" << scriptString(withValues(question.text, state))
              << ",\"hint\":" << scriptString(withValues(question.hint, state));
@@ -153,7 +155,7 @@ class LessonData {
         }
         out_ << ",\"show\":";
         if (question.show) {
-            position(*question.show, hasRun);
+            position(*question.show);
         } else {
             out_ << "null";
         }
@@ -161,21 +163,59 @@ class LessonData {
             out_ << ",\"choices\":[";
             for (std::size_t k = 0; k < choices->list.size(); ++k) {
                 out_ << (k == 0 ? "" : ",") << "{\"text\":" << scriptString(withValues(choices->list[k].text, state))
-                     << ",\"right\":" << (isRight(*choices, k, state) ? "true" : "false") << '}';
+                     << ",\"right\":" << (isRight(*choices, k, state) ? "true" : "false")
+                     << ",\"hint\":" << scriptString(withValues(hintAfter(question, k), state)) << '}';
             }
             out_ << ']';
         } else if (const auto *number = std::get_if<LessonNumber>(&question.answer)) {
-            out_ << ",\"number\":" << valueOf(number->value, state).value_or(0.0) << ",\"within\":" << number->within;
+            out_ << ",\"number\":" << valueOf(number->value, state).value_or(0.0)
+                 << ",\"within\":" << toleranceOf(*number, state) << ",\"mistakes\":[";
+            mistakes(*number, state);
+            out_ << ']';
         } else if (task != nullptr) {
             out_ << ",\"asksForCandidate\":" << (asksForCandidate(*task) ? "true" : "false") << ",\"done\":[";
-            moments(*task, question.why);
+            const bool any = moments(*task, question.why);
             out_ << ']';
+            if (!any) {
+                out_ << ",\"note\":"
+                     << scriptString("This task needs a moment that the editor shows, such as a step of the "
+                                     "improvement. Open the lesson there to do it.");
+                warnOfTask(question);
+            }
         }
         out_ << '}';
     }
 
-    /// Writes the moments at which a task is done, as lesson.js reads them.
-    void moments(const LessonTask &task, const std::string &why) {
+    /// Writes [number, tolerance, hint] for each mistake that has a number.
+    void mistakes(const LessonNumber &number, const LessonState &state) {
+        bool first = true;
+        for (const LessonNumber::Mistake &mistake : number.mistakes) {
+            const auto value = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
+            if (value) {
+                out_ << (first ? "[" : ",[") << *value << ','
+                     << std::max(number.within, 0.01 * number.percent * std::abs(*value)) << ','
+                     << scriptString(withValues(mistake.hint, state)) << ']';
+                first = false;
+            }
+        }
+    }
+
+    void warnOfTask(const LessonQuestion &question) {
+        Diagnostic warning;
+        warning.severity = Severity::Warning;
+        warning.code = "not-on-page";
+        warning.message = "page '" + page_->title +
+                          "': no moment of the page for a browser fulfils the task; the "
+                          "page says that the editor shows it";
+        warning.advice = "choose a condition that holds after an advance, or at the end";
+        warning.line = question.place.line;
+        warning.column = question.place.column;
+        warnings_.push_back(std::move(warning));
+    }
+
+    /// Writes the moments at which a task is done, as lesson.js reads them. Returns false if there are none.
+    bool moments(const LessonTask &task, const std::string &why) {
+        const bool ofMesh = asksForMesh(task) || needsMesh(why);
         bool first = true;
         const auto write = [&](std::uint64_t done, bool inner, bool improved, const SessionSnapshot &run) {
             const auto add = [&](std::optional<std::size_t> chosen) {
@@ -196,21 +236,24 @@ class LessonData {
             }
         };
         for (std::uint64_t k = 0; k <= run_->advances() && !progress_.cancelled(); ++k) {
-            write(k, false, false, *run_->at({.advance = k}));
+            write(k, false, false, *run_->at({.advance = k}, ofMesh));
             if (k < run_->advances()) {
-                write(k, true, false, *run_->at({.advance = k, .events = 1}));
+                write(k, true, false, *run_->at({.advance = k, .events = 1}, ofMesh));
             }
         }
-        if (run_->improveSteps() > 0) {
+        if (improved_) {
             write(run_->advances(), false, true, *run_->at({.atEnd = true}));
         }
+        return !first;
     }
 
     TextWriter &out_;
     const Progress &progress_;
-    const LessonPage *ranPage_ = nullptr;
-    std::optional<LessonRun> run_;
+    const LessonPage *page_ = nullptr;
+    LessonRun *run_ = nullptr;
+    bool improved_ = false;
     WordList words_;
+    Diagnostics warnings_;
 };
 
 void writeHead(TextWriter &out, const std::string &title) {
@@ -227,38 +270,64 @@ void writeHead(TextWriter &out, const std::string &title) {
         << playerScript() << "</script></template>\n";
 }
 
+/// Writes the run of a page for the player.
+Status writeShownRun(const Lesson &lesson, ShownRun &shown, LessonRun &run, TextWriter &out, const Progress &progress) {
+    const RunPagePlan plan{.title = {}, .from = 0, .steps = {}, .maxAdvances = kMaxAdvances};
+    const Result<RecordedRun> recorded = run.options().order == ElementOrder::First
+                                             ? recordRun(run.stepper(), run.options(), plan, progress)
+                                             : recordRun(jobOf(*documentOf(*shown.page)), plan, progress);
+    if (!recorded) {
+        const bool large = recorded.faults().front().code == "too-large";
+        return large ? error("too-large",
+                             "the run of page '" + shown.page->title + "' has more than " +
+                                 std::to_string(kMaxAdvances) + " advances, too many for a page",
+                             "choose a larger size for its drawing")
+                     : recorded.faults();
+    }
+    shown.improved = recorded->improved.has_value();
+    writeRun(out, *recorded, lesson.title, 0, detailedOf(*recorded, lesson, *shown.page));
+    return {};
+}
+
 } // namespace
 
 Status writeLessonPage(const Lesson &lesson, TextWriter &out, const Progress &progress) {
-    std::vector<const LessonPage *> runs;
+    LessonRuns runs(LessonRuns::Keep::All);
+    return writeLessonPage(lesson, runs, out, progress);
+}
+
+Status writeLessonPage(const Lesson &lesson, LessonRuns &runs, TextWriter &out, const Progress &progress) {
+    std::vector<ShownRun> shown;
     std::vector<int> runOfPage;
     for (const LessonPage &page : lesson.pages) {
-        runOfPage.push_back(runOf(page, runs));
+        runOfPage.push_back(runOf(page, shown));
     }
     writeHead(out, lesson.title);
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        const Result<RecordedRun> run = recordRun(
-            jobOf(*documentOf(*runs[k])), {.title = {}, .from = 0, .steps = {}, .maxAdvances = kMaxAdvances}, progress);
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+        const Result<std::shared_ptr<LessonRun>> run = runs.of(*shown[k].page, progress);
         if (!run) {
-            const bool large = run.faults().front().code == "too-large";
-            return large ? error("too-large",
-                                 "the run of page '" + runs[k]->title + "' has more than " +
-                                     std::to_string(kMaxAdvances) + " advances, too many for a page",
-                                 "choose a larger size for its drawing")
-                         : run.faults();
+            return run.faults();
         }
         out << "<script type=\"application/json\" id=\"run" << k << "\">\n";
-        writeRun(out, *run, lesson.title, 0, detailedOf(*run, lesson, *runs[k]));
+        if (Status faults = writeShownRun(lesson, shown[k], **run, out, progress); !faults.empty()) {
+            return faults;
+        }
         out << "\n</script>\n";
     }
     out << "<script type=\"application/json\" id=\"lesson\">\n{\"title\":" << scriptString(lesson.title)
-        << ",\"about\":" << scriptString(lesson.about) << ",\"pages\":[\n";
+        << ",\"about\":" << scriptString(lesson.about) << ",\"seed\":" << lesson.seed << ",\"pages\":[\n";
     LessonData data(out, progress);
     for (std::size_t k = 0; k < lesson.pages.size(); ++k) {
         out << (k == 0 ? "" : ",\n");
-        if (Status faults = data.page(lesson.pages[k], runOfPage[k]); !faults.empty()) {
-            return faults;
+        if (runOfPage[k] < 0) {
+            data.page(lesson.pages[k], -1, nullptr, false);
+            continue;
         }
+        const Result<std::shared_ptr<LessonRun>> run = runs.of(lesson.pages[k], progress);
+        if (!run) {
+            return run.faults();
+        }
+        data.page(lesson.pages[k], runOfPage[k], run->get(), shown[static_cast<std::size_t>(runOfPage[k])].improved);
         if (progress.cancelled()) { // the moments of its task may be incomplete
             return error("cancelled", "the page was cancelled");
         }
@@ -266,7 +335,7 @@ Status writeLessonPage(const Lesson &lesson, TextWriter &out, const Progress &pr
     out << "],\n\"words\":";
     data.words();
     out << "}\n</script>\n<script>\n" << lessonScript() << "</script>\n</body>\n</html>\n";
-    return {};
+    return data.takeWarnings();
 }
 
 } // namespace forefront

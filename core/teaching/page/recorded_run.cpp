@@ -1,8 +1,6 @@
 #include "core/teaching/page/recorded_run.hpp"
 
 #include "core/engine/mesh/quality.hpp"
-#include "core/engine/pipeline/pipeline.hpp"
-#include "core/engine/session/mesh_stepper.hpp"
 #include "core/files/json/json.hpp"
 #include "core/teaching/page/run_record.hpp"
 
@@ -11,38 +9,6 @@
 namespace forefront {
 
 namespace {
-
-Result<RecordedRun> stepThrough(MeshingJob job, const RunPagePlan &plan, const Progress &progress) {
-    const MeshingOptions options = job.options;
-    job.options.improve = ImproveLevel::None;
-    job.options.order = ElementOrder::First;
-    Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
-    if (!stepper) {
-        return stepper.faults();
-    }
-    RecordedRun steps{options, stepper->mesh(), stepper->front(), {}, {}, false, {}};
-    while (!plan.steps || steps.advances.size() < plan.from + *plan.steps) {
-        if (progress.cancelled()) {
-            return error("cancelled", "the page was cancelled");
-        }
-        if (stepper->advance() == 0) {
-            break;
-        }
-        if (steps.advances.size() == plan.maxAdvances) {
-            return error("too-large",
-                         "the run has more than " + std::to_string(plan.maxAdvances) + " advances, too many for a page",
-                         "choose a larger size, or limit the page with --steps");
-        }
-        steps.advances.push_back(stepper->explanation());
-    }
-    if (plan.from > steps.advances.size()) {
-        return error("bad-range", "the page begins after advance " + std::to_string(plan.from) +
-                                      ", but the run has only " + std::to_string(steps.advances.size()) + " advances");
-    }
-    steps.complete = stepper->atEnd();
-    steps.mesh = stepper->mesh();
-    return steps;
-}
 
 /// Returns the line below the title: "Classic method, hierarchical grid".
 std::string aboutText(const MeshingOptions &options) {
@@ -59,18 +25,44 @@ void writeShape(TextWriter &out, const MeshView &mesh) {
 } // namespace
 
 Result<RecordedRun> recordRun(const MeshingJob &job, const RunPagePlan &plan, const Progress &progress) {
-    Result<RecordedRun> run = stepThrough(job, plan, progress);
-    if (!run) {
-        return run.faults();
-    }
-    if (run->complete && job.options.improve != ImproveLevel::None) {
-        MeshingJob shown = job;
-        shown.options.order = ElementOrder::First; // as the front made them
-        Result<MeshingOutcome> outcome = meshDomain(shown, progress);
-        if (!outcome) {
-            return outcome.faults();
+    MeshingJob shown = job;
+    shown.options.order = ElementOrder::First; // the page shows corners only
+    Result<MeshStepper> stepper = MeshStepper::create(std::move(shown), progress);
+    return stepper ? recordRun(*stepper, job.options, plan, progress) : stepper.faults();
+}
+
+Result<RecordedRun> recordRun(MeshStepper &stepper, const MeshingOptions &options, const RunPagePlan &plan,
+                              const Progress &progress) {
+    stepper.seek(0);
+    RecordedRun run{options, stepper.mesh(), stepper.front(), {}, {}, false, {}};
+    while (!plan.steps || run.advances.size() < plan.from + *plan.steps) {
+        if (progress.cancelled()) {
+            return error("cancelled", "the page was cancelled");
         }
-        run->improved = std::move(outcome->mesh);
+        if (stepper.advance() == 0) {
+            break;
+        }
+        if (run.advances.size() == plan.maxAdvances) {
+            return error("too-large",
+                         "the run has more than " + std::to_string(plan.maxAdvances) + " advances, too many for a page",
+                         "choose a larger size, or limit the page with --steps");
+        }
+        run.advances.push_back(stepper.explanation());
+    }
+    if (plan.from > run.advances.size()) {
+        return error("bad-range", "the page begins after advance " + std::to_string(plan.from) +
+                                      ", but the run has only " + std::to_string(run.advances.size()) + " advances");
+    }
+    stepper.seek(run.advances.size()); // back from the first step of the improvement, if the run has such steps
+    run.complete = stepper.complete() && stepper.position() == stepper.known();
+    run.mesh = stepper.mesh();
+    if (run.complete && options.improve != ImproveLevel::None) {
+        if (!stepper.finish(progress)) {
+            return progress.cancelled() ? error("cancelled", "the page was cancelled")
+                                        : error("unfinished-run", "the mesh cannot be completed after its front",
+                                                "mesh the drawing to see why");
+        }
+        run.improved = stepper.mesh();
     }
     return run;
 }

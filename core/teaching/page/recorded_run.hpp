@@ -2,6 +2,7 @@
 
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesher/trace.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/snapshot.hpp"
 #include "core/teaching/page/run_page.hpp"
 
@@ -24,6 +25,9 @@ struct RecordedRun {
 
 /// Runs a job and keeps its steps. Faults: those of writeRunPage().
 Result<RecordedRun> recordRun(const MeshingJob &job, const RunPagePlan &plan, const Progress &progress);
+/// Does the same with a stepper of a job with these options, whose elements are of first order. Leaves it anywhere.
+Result<RecordedRun> recordRun(MeshStepper &stepper, const MeshingOptions &options, const RunPagePlan &plan,
+                              const Progress &progress);
 
 /// Writes a run as the player reads it: JSON that can stand in a script element. `from`: number of advances done when
 /// the player opens. `detailed`: per advance, whether its candidates, tests and cells are written, and not its elements

@@ -2,6 +2,7 @@
 
 #include "core/teaching/tables/power_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -31,36 +32,17 @@ std::string escaped(const std::string &text) {
     return result;
 }
 
-/// Whole decades that contain all values.
-struct Axis {
-    int first = 0, last = 1;
+/// An axis of the sheet.
+struct Axis : Decades {
     double from = 0.0, to = 1.0; ///< pixels
 
-    double place(double value) const { return from + (to - from) * (std::log10(value) - first) / (last - first); }
+    double place(double value) const { return from + (to - from) * Decades::place(value); }
 };
-
-Axis axisOf(const LogPlot &plot, double Vec2::*coordinate, double from, double to) {
-    double minimum = INFINITY, maximum = 0.0;
-    for (const PlotSeries &series : plot.series) {
-        for (const Vec2 p : series.points) {
-            if (p.*coordinate > 0.0) {
-                minimum = std::min(minimum, p.*coordinate);
-                maximum = std::max(maximum, p.*coordinate);
-            }
-        }
-    }
-    Axis axis{0, 1, from, to};
-    if (maximum > 0.0) {
-        axis.first = static_cast<int>(std::floor(std::log10(minimum)));
-        axis.last = std::max(axis.first + 1, static_cast<int>(std::ceil(std::log10(maximum))));
-    }
-    return axis;
-}
 
 class PlotDrawing {
   public:
     explicit PlotDrawing(const LogPlot &plot)
-        : plot_(plot), x_(axisOf(plot, &Vec2::x, kLeft, kRight)), y_(axisOf(plot, &Vec2::y, kBottom, kTop)) {}
+        : plot_(plot), x_{decadesOf(plot, &Vec2::x), kLeft, kRight}, y_{decadesOf(plot, &Vec2::y), kBottom, kTop} {}
 
     std::string run() {
         svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + oneDecimal(kWidth) + ' ' +
@@ -176,6 +158,28 @@ class PlotDrawing {
 };
 
 } // namespace
+
+double Decades::place(double value) const {
+    return (std::log10(value) - first) / (last - first);
+}
+
+Decades decadesOf(const LogPlot &plot, double Vec2::*coordinate) {
+    double minimum = INFINITY, maximum = 0.0;
+    for (const PlotSeries &series : plot.series) {
+        for (const Vec2 p : series.points) {
+            if (p.*coordinate > 0.0) {
+                minimum = std::min(minimum, p.*coordinate);
+                maximum = std::max(maximum, p.*coordinate);
+            }
+        }
+    }
+    Decades decades;
+    if (maximum > 0.0) {
+        decades.first = static_cast<int>(std::floor(std::log10(minimum)));
+        decades.last = std::max(decades.first + 1, static_cast<int>(std::ceil(std::log10(maximum))));
+    }
+    return decades;
+}
 
 std::string toSvg(const LogPlot &plot) {
     return PlotDrawing(plot).run();

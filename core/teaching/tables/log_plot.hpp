@@ -22,6 +22,15 @@ struct LogPlot {
     std::vector<PlotSeries> series;
 };
 
+/// Whole decades, as powers of ten, that contain the positive values of a coordinate; at least one.
+struct Decades {
+    int first = 0, last = 1;
+
+    /// Returns where a positive value lies between the first decade, 0, and the last one, 1.
+    double place(double value) const;
+};
+Decades decadesOf(const LogPlot &plot, double Vec2::*coordinate);
+
 /// Returns the plot as an SVG image: a labelled grid line at every decade, fine lines in between, marks, fitted lines
 /// and a legend with the exponents. Points that are not positive are left out. The same plot gives the same bytes.
 std::string toSvg(const LogPlot &plot);

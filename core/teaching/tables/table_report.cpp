@@ -34,20 +34,14 @@ std::string label(const TableCase &row) {
     return std::string(row.row) + (row.adaptive ? "*" : "");
 }
 
-struct Line {
-    std::string row, label, grid, who;
-    double rhoMin = 0.0;
-    double nodes = 0.0, elements = 0.0, seconds = 0.0, efficiency = 0.0;
-    double alpha = 0.0, alphaImproved = 0.0, delta = 0.0, deltaImproved = 0.0;
-    double front = 0.0, neighbours = 0.0, considered = 0.0, tests = 0.0;
-    std::string hash;
-};
+using Line = TableLine;
 
 Line lineOf(const PublishedFigures &p) {
     Line line;
     line.row = line.label = p.row;
     line.grid = p.grid;
     line.who = "Lo";
+    line.published = true;
     line.rhoMin = p.rhoMin;
     line.nodes = p.nodes;
     line.elements = p.elements;
@@ -84,24 +78,6 @@ Line lineOf(const RowFigures &r, const GridFigures &grid) {
     return line;
 }
 
-/// Lists our figures, each after Lo's for the same grid; his best are listed once, before the first grid that he did
-/// not use.
-std::vector<Line> linesOf(const RowFigures &row) {
-    std::vector<Line> lines;
-    std::set<std::string_view> shown;
-    for (const GridFigures &grid : row.grids) {
-        const PublishedFigures *published = publishedFigures(row.row.row, grid.grid);
-        const bool waits = published->grid != grid.grid &&
-                           std::any_of(row.grids.begin(), row.grids.end(),
-                                       [&](const GridFigures &other) { return other.grid == published->grid; });
-        if (!waits && shown.insert(published->grid).second) {
-            lines.push_back(lineOf(*published));
-        }
-        lines.push_back(lineOf(row, grid));
-    }
-    return lines;
-}
-
 /// Returns true if a row belongs to one of the two functions: rows 1A to 1E, or 2A to 2E.
 bool belongs(const RowFigures &row, char function) {
     return row.row.row.size() == 2 && row.row.row.front() == function;
@@ -114,8 +90,8 @@ std::vector<Vec2> costs(const std::vector<RowFigures> &rows, const std::string &
         if (!std::any_of(functions.begin(), functions.end(), [&](char f) { return belongs(row, f); })) {
             continue;
         }
-        for (const Line &line : linesOf(row)) {
-            if (line.grid == grid && (line.who == "Lo") == published) {
+        for (const Line &line : tableRowLines(row)) {
+            if (line.grid == grid && line.published == published) {
                 points.push_back({line.elements, line.seconds});
             }
         }
@@ -126,7 +102,7 @@ std::vector<Vec2> costs(const std::vector<RowFigures> &rows, const std::string &
 std::vector<std::string> gridsOf(const std::vector<RowFigures> &rows) {
     std::vector<std::string> names;
     for (const RowFigures &row : rows) {
-        for (const Line &line : linesOf(row)) {
+        for (const Line &line : tableRowLines(row)) {
             if (std::find(names.begin(), names.end(), line.grid) == names.end()) {
                 names.push_back(line.grid);
             }
@@ -271,6 +247,32 @@ constexpr std::array<const char *, 6> kColours = {"#8250df", "#bf8700", "#1a7f37
 
 } // namespace
 
+std::vector<Line> tableRowLines(const RowFigures &row) {
+    std::vector<Line> lines;
+    std::set<std::string_view> shown;
+    for (const GridFigures &grid : row.grids) {
+        const PublishedFigures *published = publishedFigures(row.row.row, grid.grid);
+        const bool waits = published->grid != grid.grid &&
+                           std::any_of(row.grids.begin(), row.grids.end(),
+                                       [&](const GridFigures &other) { return other.grid == published->grid; });
+        if (!waits && shown.insert(published->grid).second) {
+            lines.push_back(lineOf(*published));
+        }
+        lines.push_back(lineOf(row, grid));
+    }
+    return lines;
+}
+
+std::vector<TableLine> publishedLines(const TableCase &row) {
+    std::vector<TableLine> lines;
+    for (const PublishedFigures &published : publishedFigures()) {
+        if (published.row == row.row) {
+            lines.push_back(lineOf(published));
+        }
+    }
+    return lines;
+}
+
 std::string tableHead() {
     return "row  rho_min grid         who       Nn      Ne   seconds effic.  alpha alpha*  delta delta*      Nb        "
            "Nc "
@@ -279,8 +281,8 @@ std::string tableHead() {
 
 std::string tableLines(const RowFigures &row) {
     std::string text;
-    for (const Line &line : linesOf(row)) {
-        const bool ours = line.who != "Lo";
+    for (const Line &line : tableRowLines(row)) {
+        const bool ours = !line.published;
         text +=
             format("%-4s %-7g %-12s %-4s", line.label.c_str(), line.rhoMin, line.grid.c_str(), ours ? "ours" : "Lo") +
             cell(7, 0, line.nodes) + cell(7, 0, line.elements) + cell(9, ours ? 3 : 2, line.seconds) +
@@ -305,8 +307,8 @@ std::string tableCsv(const std::vector<RowFigures> &rows) {
         return given ? format(pattern, value) : std::string();
     };
     for (const RowFigures &row : rows) {
-        for (const Line &line : linesOf(row)) {
-            const bool ours = line.who != "Lo";
+        for (const Line &line : tableRowLines(row)) {
+            const bool ours = !line.published;
             text += format("%s,%g,%s,%s,%.0f,%.0f,%.6g,", line.row.c_str(), line.rhoMin, line.grid.c_str(),
                            line.who.c_str(), line.nodes, line.elements, line.seconds) +
                     optional(line.efficiency > 0.0, "%.4g", line.efficiency) + format(",%.5g,", line.alpha) +

@@ -8,6 +8,25 @@
 
 namespace forefront {
 
+/// A line of the tables: the figures of a row with one grid, Lo's or ours. A figure that is not known is 0.
+struct TableLine {
+    std::string row, label; ///< name of the row, and the same with a star if the case is ours
+    std::string grid;
+    std::string who; ///< "Lo", "ours" or "own case"
+    bool published = false;
+    double rhoMin = 0.0;
+    double nodes = 0.0, elements = 0.0, seconds = 0.0, efficiency = 0.0;
+    double alpha = 0.0, alphaImproved = 0.0, delta = 0.0, deltaImproved = 0.0;
+    double front = 0.0, neighbours = 0.0, considered = 0.0, tests = 0.0;
+    std::string hash; ///< of the raw mesh; empty: published
+};
+
+/// Returns our figures of a row, each after Lo's for the same grid; his best are listed once, before the first grid
+/// that he did not use.
+std::vector<TableLine> tableRowLines(const RowFigures &row);
+/// Returns Lo's figures of a row for each of his grids.
+std::vector<TableLine> publishedLines(const TableCase &row);
+
 /// Returns the header of the text table.
 std::string tableHead();
 /// Returns the lines of one row: for each grid the published figures, if any, and ours below them.

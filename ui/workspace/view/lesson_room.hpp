@@ -2,6 +2,7 @@
 
 #include "core/engine/session/snapshot.hpp"
 #include "core/files/source/file_stamp.hpp"
+#include "core/teaching/lesson/answers.hpp"
 #include "core/teaching/lesson/lesson.hpp"
 #include "ui/workspace/view/view.hpp"
 #include "ui/workspace/view/workspaces.hpp"
@@ -35,6 +36,9 @@ struct OpenLesson {
     std::optional<std::size_t> picked; ///< the last choice
     std::string typed;                 ///< answer that is a number
     std::string complaint;             ///< why the text typed cannot be an answer; empty: it can
+    std::string hint;                  ///< after the last answer, if it is wrong; may be empty
+    bool shown = false;                ///< Show me has led to the answer
+    std::optional<std::size_t> tried;  ///< the wrong candidate that was chosen last for a task
     bool focus = false;                ///< move the keyboard to the field for the number
     bool settled = false;              ///< the run has reached the position of the page
     int framesSettled = 0;             ///< frames drawn since, up to a few
@@ -67,7 +71,8 @@ struct LessonRoom {
     bool listed = false; ///< the lessons have been read
     std::vector<LessonEntry> list;
     std::optional<OpenLesson> open;
-    std::optional<KeptDrawing> kept; ///< comes back when the lesson is closed
+    std::optional<KeptDrawing> kept;              ///< comes back when the lesson is closed
+    std::map<std::string, LessonAnswers> answers; ///< given since the program started, by id of the lesson
     std::uint64_t drawingLoaded = 0; ///< DocumentStore::loads() of the last drawing that a lesson brought; 0: none
 };
 

@@ -1,0 +1,114 @@
+#include "core/teaching/lesson/answers.hpp"
+
+#include "core/files/json/json_check.hpp"
+#include "core/files/json/json_writer.hpp"
+#include "core/teaching/lesson/random_numbers.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+namespace {
+
+constexpr const char *kFormat = "forefront-answers";
+constexpr int kVersion = 1;
+
+PageAnswers readPage(const JsonValue &object, JsonCheck &check) {
+    PageAnswers page;
+    if (!check.expect(object, JsonKind::Object, "a page of answers")) {
+        return page;
+    }
+    const TextPlace place = check.place(object);
+    page.place = {place.line, place.column};
+    if (const auto title = check.member(object, "title", "the page")) {
+        page.title = check.string(*title, "the title of a page");
+    }
+    if (const auto question = object.find("question"); question && !question->is(JsonKind::Null)) {
+        page.question = check.string(*question, "a question");
+    }
+    const auto answers = check.member(object, "answers", "the page");
+    if (!answers || !check.expect(*answers, JsonKind::Array, "\"answers\"")) {
+        return page;
+    }
+    for (const JsonValue item : *answers) {
+        if (!check.expect(item, JsonKind::Object, "an answer")) {
+            continue;
+        }
+        GivenAnswer given;
+        if (const auto text = check.member(item, "answer", "the answer")) {
+            given.text = check.string(*text, "an answer");
+        }
+        if (const auto right = check.member(item, "right", "the answer")) {
+            given.right = check.flag(*right, "\"right\"");
+        }
+        page.answers.push_back(std::move(given));
+    }
+    return page;
+}
+
+} // namespace
+
+LessonAnswers noAnswers(const Lesson &lesson) {
+    LessonAnswers answers{lesson.title, lesson.seed, {}};
+    for (const LessonPage &page : lesson.pages) {
+        answers.pages.push_back({page.title, page.question ? page.question->text : std::string(), {}, {}});
+    }
+    return answers;
+}
+
+bool hasAnswers(const LessonAnswers &answers) {
+    return std::any_of(answers.pages.begin(), answers.pages.end(),
+                       [](const PageAnswers &page) { return !page.answers.empty(); });
+}
+
+std::string answersText(const LessonAnswers &answers) {
+    JsonWriter json(JsonWriter::Layout::Indented);
+    json.beginObject().member("format", kFormat).member("version", kVersion).member("lesson", answers.lesson);
+    json.member("seed", answers.seed).key("pages").beginArray();
+    for (const PageAnswers &page : answers.pages) {
+        json.beginObject().member("title", page.title).member("question", page.question).key("answers").beginArray();
+        for (const GivenAnswer &given : page.answers) {
+            json.beginObject().member("answer", given.text).member("right", given.right).endObject();
+        }
+        json.endArray().endObject();
+    }
+    json.endArray().endObject();
+    return json.text();
+}
+
+Result<LessonAnswers> readAnswers(const SourceText &source) {
+    const auto json = JsonDocument::parse(source);
+    if (!json) {
+        return json.faults();
+    }
+    JsonCheck check(source);
+    const JsonValue root = json->root();
+    const auto format = root.find("format");
+    if (!format || format->string() != kFormat) {
+        check.fault(format.value_or(root), "not-answers", "not a file of answers",
+                    "expected one that a lesson was saved to with Save answers");
+        return check.faults();
+    }
+    LessonAnswers answers;
+    if (const auto version = check.member(root, "version", "the file")) {
+        check.integer(*version, 1, kVersion, "\"version\"");
+    }
+    if (const auto lesson = check.member(root, "lesson", "the file")) {
+        answers.lesson = check.string(*lesson, "\"lesson\"");
+    }
+    if (const auto seed = root.find("seed")) {
+        answers.seed = static_cast<std::uint64_t>(check.integer(*seed, 0, kMaxLessonSeed, "\"seed\""));
+    }
+    if (const auto pages = check.member(root, "pages", "the file");
+        pages && check.expect(*pages, JsonKind::Array, "\"pages\"")) {
+        for (const JsonValue page : *pages) {
+            answers.pages.push_back(readPage(page, check));
+        }
+    }
+    if (!check.faults().empty()) {
+        return check.faults();
+    }
+    return answers;
+}
+
+} // namespace forefront
