@@ -119,6 +119,16 @@ TEST_CASE("Parts: an inner line becomes a crack, and a region is filled by rows"
     driver.settle();
     CHECK(driver.document().cracks.empty());
 
+    driver.fill("inspector/strip/width", "0.2");
+    REQUIRE(driver.document().strips.size() == 1);
+    CHECK(driver.document().strips.front().width == 0.2);
+    CHECK(driver.undoLabel() == "Change strip");
+    driver.fill("inspector/strip/rows", "2");
+    CHECK(driver.document().strips.front().rows == 2);
+    driver.fill("inspector/strip/rows", "1.5");
+    CHECK(driver.document().strips.front().rows == 2);
+    driver.key(key::kEscape);
+
     Document next = driver.document();
     next.regionMarkers.push_back({{3.0, 3.0}, 2});
     driver.context().document.apply(std::move(next), "Region");

@@ -59,6 +59,19 @@ TEST_CASE("Part commands: cracks, periodic parts and mapped regions are set and 
     REQUIRE(next.ok());
     CHECK(next->cracks.empty());
 
+    StripSpec strip;
+    strip.width = 0.5;
+    strip.rows = 2;
+    next = setStrip(*next, kHole, strip);
+    REQUIRE(next.ok());
+    REQUIRE(stripOf(*next, tag) != nullptr);
+    CHECK(stripOf(*next, tag)->rows == 2);
+    strip.width = -1.0;
+    CHECK(!setStrip(*next, kHole, strip).ok());
+    next = setStrip(*next, kHole, std::nullopt);
+    REQUIRE(next.ok());
+    CHECK(next->strips.empty());
+
     const BoundaryPart left{.shapes = {}, .segments = {{1, 3}}}, right{.shapes = {}, .segments = {{1, 1}}};
     next = setPeriodic(*next, left, tag);
     REQUIRE(next.ok());

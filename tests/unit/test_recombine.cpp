@@ -5,6 +5,7 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/quads/recombine.hpp"
+#include "tests/support/meshed_job.hpp"
 
 #include <doctest/doctest.h>
 
@@ -15,6 +16,7 @@
 #include <tuple>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace recombine_cases {
 
@@ -30,12 +32,6 @@ MeshingJob holedPlate() {
     job.domain.regionMarkers = {{{0.1, 0.1}, 1}, {{3, 1}, 7}};
     job.spacing.size = 0.12;
     return job;
-}
-
-Mesh meshOf(const MeshingJob &job) {
-    Result<MeshingOutcome> outcome = meshDomain(job);
-    REQUIRE_MESSAGE(outcome, toString(outcome ? Diagnostic() : outcome.faults().front()));
-    return std::move(outcome->mesh);
 }
 
 using PlacedEdge = std::tuple<double, double, double, double, std::int32_t>;
@@ -59,7 +55,7 @@ using namespace recombine_cases;
 
 TEST_CASE("Recombine: quadrilaterals with the same boundary, interfaces and regions") {
     const MeshingJob job = holedPlate();
-    const Mesh triangles = meshOf(job);
+    const Mesh triangles = meshedJob(job).mesh;
     Mesh mesh = triangles;
     const Result<QuadReport> report = recombine(mesh);
     REQUIRE(report);
@@ -86,7 +82,7 @@ TEST_CASE("Recombine: a face with an odd number of edges keeps one triangle") {
     addLoop(job.domain, {{0, 0}, {3, 0}, {0, 3}});
     job.options.keepBoundary = true;
     job.spacing.size = 3;
-    Mesh mesh = meshOf(job);
+    Mesh mesh = meshedJob(job).mesh;
     const Result<QuadReport> report = recombine(mesh);
     REQUIRE(report);
     CHECK(report->triangles == 1);
@@ -95,19 +91,19 @@ TEST_CASE("Recombine: a face with an odd number of edges keeps one triangle") {
 TEST_CASE("Recombine: cracks, clockwise meshes, and what cannot be recombined") {
     MeshingJob job = holedPlate();
     job.cracks = {3};
-    Mesh mesh = meshOf(job);
+    Mesh mesh = meshedJob(job).mesh;
     REQUIRE(recombine(mesh));
     const std::int32_t cracks[] = {3};
     CHECK_FALSE(hasErrors(verifyAgainst(mesh, job.domain, {}, kMaxListedFaults, {}, true, cracks)));
-    Mesh other = turned(meshOf(holedPlate()));
+    Mesh other = turned(meshedJob(holedPlate()).mesh);
     REQUIRE(recombine(other));
     CHECK_FALSE(isClockwise(other));
     job.options.order = ElementOrder::Second;
-    mesh = meshOf(job);
+    mesh = meshedJob(job).mesh;
     const std::uint64_t before = meshHash(mesh);
     REQUIRE_FALSE(recombine(mesh));
     CHECK(meshHash(mesh) == before);
-    mesh = meshOf(holedPlate());
+    mesh = meshedJob(holedPlate()).mesh;
     std::swap(mesh.nodes[20], mesh.nodes[60]);
     CHECK_FALSE(recombine(mesh));
 }
@@ -124,7 +120,7 @@ TEST_CASE("Recombine: random domains") {
         }
         addLoop(job.domain, loop);
         job.spacing.expression = "0.08 + 0.05*x*x";
-        Mesh mesh = meshOf(job);
+        Mesh mesh = meshedJob(job).mesh;
         const auto edges = placedEdges(mesh);
         const Result<QuadReport> report = recombine(mesh);
         REQUIRE(report);

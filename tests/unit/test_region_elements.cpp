@@ -5,6 +5,7 @@
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
+#include "tests/support/meshed_job.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,6 +14,7 @@
 #include <vector>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace region_cases {
 
@@ -47,17 +49,6 @@ ShapeCounts countsOf(const Mesh &mesh, std::int32_t region) {
     return counts;
 }
 
-Mesh meshOf(const MeshingJob &job) {
-    Result<MeshingOutcome> outcome = meshDomain(job);
-    REQUIRE_MESSAGE(outcome, toString(outcome ? Diagnostic() : outcome.faults().front()));
-    return std::move(outcome->mesh);
-}
-
-std::string refused(const MeshingJob &job) {
-    const Result<MeshingOutcome> outcome = meshDomain(job);
-    return outcome ? "" : outcome.faults().front().code;
-}
-
 } // namespace region_cases
 
 using namespace region_cases;
@@ -68,7 +59,7 @@ TEST_CASE("Elements of regions: each region has its own shapes, conforming at th
             MeshingJob job = squares();
             job.options.elements = everywhere;
             job.regionElements = {{2, inSecond}};
-            const Mesh mesh = meshOf(job);
+            const Mesh mesh = meshedJob(job).mesh;
             for (const std::int32_t region : {1, 2, 3}) {
                 const ShapeCounts counts = countsOf(mesh, region);
                 const Elements shapes = region == 2 ? inSecond : everywhere;
@@ -83,16 +74,16 @@ TEST_CASE("Elements of regions: each region has its own shapes, conforming at th
 
 TEST_CASE("Elements of regions: the same mesh where a region asks for what all have, and whole domains") {
     MeshingJob job = squares();
-    const std::uint64_t hash = meshHash(meshOf(job));
+    const std::uint64_t hash = meshHash(meshedJob(job).mesh);
     job.regionElements = {{2, Elements::Triangles}};
-    CHECK(countsOf(meshOf(job), 1).quads == 0);
-    CHECK(meshHash(meshOf(job)) == hash);
+    CHECK(countsOf(meshedJob(job).mesh, 1).quads == 0);
+    CHECK(meshHash(meshedJob(job).mesh) == hash);
     job.regionElements = {{1, Elements::Quads}, {2, Elements::Quads}, {3, Elements::Mixed}};
-    const Mesh mesh = meshOf(job);
+    const Mesh mesh = meshedJob(job).mesh;
     CHECK(countsOf(mesh, 1).triangles == 0);
     CHECK(countsOf(mesh, 2).triangles == 0);
     CHECK(countsOf(mesh, 3).quads > 0);
-    CHECK(meshHash(meshOf(job)) == meshHash(mesh));
+    CHECK(meshHash(meshedJob(job).mesh) == meshHash(mesh));
 }
 
 TEST_CASE("Elements of regions: second order, holes, points, given segments, layers, mapped regions and strips") {
@@ -103,20 +94,20 @@ TEST_CASE("Elements of regions: second order, holes, points, given segments, lay
         job.domain.nodes.push_back(p);
     }
     addLoop(job.domain, {{1.6, 0.2}, {1.8, 0.2}, {1.7, 0.35}}, 4);
-    CHECK(countsOf(meshOf(job), 2).quads > 0);
+    CHECK(countsOf(meshedJob(job).mesh, 2).quads > 0);
     job.options.order = ElementOrder::Second;
-    CHECK(countsOf(meshOf(job), 2).quads > 0);
+    CHECK(countsOf(meshedJob(job).mesh, 2).quads > 0);
     job.options.order = ElementOrder::First;
     job.options.keepBoundary = true;
-    CHECK(countsOf(meshOf(job), 1).quads == 0);
+    CHECK(countsOf(meshedJob(job).mesh, 1).quads == 0);
     job.options.keepBoundary = false;
     MeshingJob layered = job;
     layered.layers = {LayerSpec{.tag = 4, .first = 0.01, .count = 3}};
-    CHECK(countsOf(meshOf(layered), 2).quads > 0);
+    CHECK(countsOf(meshedJob(layered).mesh, 2).quads > 0);
     job = squares();
     job.regionElements = {{2, Elements::Quads}};
     job.mapped = {{1}, {2}};
-    const Mesh rows = meshOf(job);
+    const Mesh rows = meshedJob(job).mesh;
     CHECK(countsOf(rows, 1).quads == 0);
     CHECK(countsOf(rows, 2).triangles == 0);
     job.mapped.clear();
@@ -124,21 +115,21 @@ TEST_CASE("Elements of regions: second order, holes, points, given segments, lay
     job.domain.segments.push_back({8, 9, 5, SegmentRole::Constraint, {}});
     job.domain.regionMarkers[1].at = {1.5, 0.8};
     job.strips = {{5, 0.1, 1}};
-    CHECK(countsOf(meshOf(job), 2).triangles == 0);
+    CHECK(countsOf(meshedJob(job).mesh, 2).triangles == 0);
 }
 
 TEST_CASE("Elements of regions: what is wrong is refused, and the stepper follows") {
     MeshingJob job = squares();
     job.regionElements = {{9, Elements::Quads}};
-    CHECK(refused(job) == "unknown-region");
+    CHECK(refusalOf(job) == "unknown-region");
     job.regionElements = {{2, Elements::Quads}, {2, Elements::Mixed}};
-    CHECK(refused(job) == "repeated-region");
+    CHECK(refusalOf(job) == "repeated-region");
     job.regionElements = {{2, Elements::Quads}};
-    const Mesh whole = meshOf(job);
+    const Mesh whole = meshedJob(job).mesh;
     Result<MeshStepper> stepper = MeshStepper::create(job);
     REQUIRE(stepper);
     job.options.leastAngle = 20.0;
-    CHECK(refused(job) == "least-angle");
+    CHECK(refusalOf(job) == "least-angle");
 }
 
 TEST_CASE("Elements of regions: random lines through a square") {
@@ -157,7 +148,7 @@ TEST_CASE("Elements of regions: random lines through a square") {
         job.options.elements = static_cast<Elements>(round % 3);
         job.regionElements = {{2, static_cast<Elements>((round + 1 + round / 3) % 3)}};
         job.options.verify = true;
-        const Mesh mesh = meshOf(job);
+        const Mesh mesh = meshedJob(job).mesh;
         for (const std::int32_t region : {1, 2}) {
             const Elements shapes = region == 2 ? job.regionElements[0].elements : job.options.elements;
             if (shapes == Elements::Quads) {
@@ -186,7 +177,7 @@ TEST_CASE("Project: elements of regions are kept, and given to the job where the
     other.regionElements[0].elements = Elements::Mixed;
     CHECK_FALSE(sameContent(other, *document));
     CHECK(jobOf(*document).regionElements.size() == 1);
-    CHECK(countsOf(meshOf(jobOf(*document)), 4).triangles == 0);
+    CHECK(countsOf(meshedJob(jobOf(*document)).mesh, 4).triangles == 0);
     for (const char *const wrong :
          {"{}", "[4]", "[{}]", R"([{"region": 4, "elements": "hexes"}])", R"([{"region": 4}])",
           R"([{"region": 4, "elements": "quads"}, {"region": 4, "elements": "quads"}])"}) {

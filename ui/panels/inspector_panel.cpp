@@ -114,7 +114,7 @@ void roleRows(Shell &context, const Shape &shape, std::int32_t tag, const Bounda
     if (shape.construction) {
         return;
     }
-    shape.use == ShapeUse::Boundary ? boundaryRows(context, tag, part) : crackRow(context, tag, part);
+    shape.use == ShapeUse::Boundary ? boundaryRows(context, tag, part) : lineRows(context, tag, part);
 }
 
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {

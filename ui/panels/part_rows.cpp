@@ -129,6 +129,54 @@ void periodicRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
     }
 }
 
+void crackRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+    bool cracks = isCrack(*context.document.current(), tag);
+    form::label(context, "Crack");
+    if (ui::checkbox(context, "inspector/crack", "Two sides", cracks)) {
+        context.applyCommand(setCrack(*context.document.current(), part, cracks),
+                             cracks ? "Make crack" : "Close crack");
+    }
+    ui::rowTooltip(context, "The mesh is open along the line: each side has nodes of its own, except where the line "
+                            "ends inside the domain.");
+}
+
+/// Draws the width of a strip along a line, its rows and the shapes of its elements.
+void stripRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+    const Document &document = *context.document.current();
+    const StripSpec *const given = stripOf(document, tag);
+    StripSpec spec = given != nullptr ? *given : StripSpec();
+    std::optional<double> width = given != nullptr ? std::optional(spec.width) : std::nullopt;
+    form::label(context, "Strip, rows");
+    const bool entered = form::optionalField(context, "inspector/strip/width", width, "none", form::halfWidth(context));
+    ui::rowTooltip(context, "Width of a strip along the line, half of it on either side, and the rows of elements that "
+                            "fill it. Leave empty for none.");
+    ImGui::SameLine(0, context.px(6));
+    ImGui::BeginDisabled(given == nullptr); // rows have no meaning without a width
+    double rows = spec.rows;
+    const bool changed = ui::inputNumber(context, "inspector/strip/rows", rows, -1.0F);
+    ImGui::EndDisabled();
+    if (entered && !width && given != nullptr) {
+        context.applyCommand(setStrip(document, part, std::nullopt), "Remove strip");
+        return;
+    }
+    if (changed && !(rows >= 1.0 && rows <= kMaxStripRows && rows == std::floor(rows))) {
+        const std::string fault = "expected a whole number from 1 to " + std::to_string(kMaxStripRows);
+        ui::refuseEntry(context, "inspector/strip/rows", error("bad-number", fault + ", got " + ui::number(rows, 6)),
+                        fault);
+        return;
+    }
+    bool shaped = false;
+    if (given != nullptr) {
+        form::label(context, "Strip of");
+        shaped = ui::segmented(context, "inspector/strip/cells", spec.cells);
+    }
+    if ((entered && width) || changed || shaped) {
+        spec.width = width.value_or(spec.width);
+        spec.rows = static_cast<std::uint32_t>(rows);
+        context.applyCommand(setStrip(document, part, spec), "Change strip");
+    }
+}
+
 } // namespace
 
 void boundaryRows(Shell &context, std::int32_t tag, const BoundaryPart &part) {
@@ -142,15 +190,9 @@ void boundaryRows(Shell &context, std::int32_t tag, const BoundaryPart &part) {
     }
 }
 
-void crackRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
-    bool cracks = isCrack(*context.document.current(), tag);
-    form::label(context, "Crack");
-    if (ui::checkbox(context, "inspector/crack", "Two sides", cracks)) {
-        context.applyCommand(setCrack(*context.document.current(), part, cracks),
-                             cracks ? "Make crack" : "Close crack");
-    }
-    ui::rowTooltip(context, "The mesh is open along the line: each side has nodes of its own, except where the line "
-                            "ends inside the domain.");
+void lineRows(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+    crackRow(context, tag, part);
+    stripRow(context, tag, part);
 }
 
 void mappedRow(Shell &context, std::int32_t region) {

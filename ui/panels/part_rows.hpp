@@ -11,8 +11,8 @@ struct Shell;
 /// Draws the boundary layers of a part of the outer boundary or of a hole, and the part that it is periodic with: in
 /// the workspace Size, and wherever the part has some.
 void boundaryRows(Shell &context, std::int32_t tag, const BoundaryPart &part);
-/// Draws whether an inner line is a crack.
-void crackRow(Shell &context, std::int32_t tag, const BoundaryPart &part);
+/// Draws whether an inner line is a crack or a strip.
+void lineRows(Shell &context, std::int32_t tag, const BoundaryPart &part);
 /// Draws whether the faces of a region are filled by rows.
 void mappedRow(Shell &context, std::int32_t region);
 

@@ -5,7 +5,9 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -46,9 +48,11 @@ Result<PartWithTag> withTag(const Document &document, const BoundaryPart &part) 
     return PartWithTag{*std::move(next), tag};
 }
 
-} // namespace
-
-Result<Document> setLayers(const Document &document, const BoundaryPart &part, std::optional<LayerSpec> spec) {
+/// Sets what a list of a document has for a part; nullopt removes it. `faultOf` checks its numbers.
+template <class Spec>
+Result<Document> setSpec(const Document &document, const BoundaryPart &part, std::optional<Spec> spec,
+                         std::vector<Spec> Document::*list,
+                         std::optional<Diagnostic> (*faultOf)(const Spec &, std::string_view)) {
     Result<PartWithTag> owned =
         spec ? withTag(document, part) : Result<PartWithTag>(PartWithTag{document, firstTag(document, part)});
     if (!owned) {
@@ -56,22 +60,40 @@ Result<Document> setLayers(const Document &document, const BoundaryPart &part, s
     }
     Document next = std::move(owned->document);
     const std::int32_t tag = owned->tag;
-    if (spec) {
-        spec->tag = tag;
-        if (const auto fault = layerFault(*spec, boundaryName(next.boundaryNames, tag))) {
-            return Diagnostics{*fault};
+    std::vector<Spec> &specs = next.*list;
+    const auto found = std::find_if(specs.begin(), specs.end(), [tag](const Spec &own) { return own.tag == tag; });
+    if (!spec) {
+        if (found != specs.end()) {
+            specs.erase(found);
         }
+        return next;
     }
-    const auto found =
-        std::find_if(next.layers.begin(), next.layers.end(), [tag](const LayerSpec &own) { return own.tag == tag; });
-    if (found == next.layers.end() && spec) {
-        next.layers.push_back(*spec);
-    } else if (found != next.layers.end() && spec) {
-        *found = *spec;
-    } else if (found != next.layers.end()) {
-        next.layers.erase(found);
+    spec->tag = tag;
+    if (const auto fault = faultOf(*spec, boundaryName(next.boundaryNames, tag))) {
+        return Diagnostics{*fault};
+    }
+    if (found != specs.end()) {
+        *found = *std::move(spec);
+    } else {
+        specs.push_back(*std::move(spec));
     }
     return next;
+}
+
+template <class Spec>
+const Spec *specOf(const std::vector<Spec> &specs, std::int32_t tag) {
+    const auto found = std::find_if(specs.begin(), specs.end(), [tag](const Spec &spec) { return spec.tag == tag; });
+    return found == specs.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+Result<Document> setLayers(const Document &document, const BoundaryPart &part, std::optional<LayerSpec> spec) {
+    return setSpec(document, part, std::move(spec), &Document::layers, layerFault);
+}
+
+Result<Document> setStrip(const Document &document, const BoundaryPart &part, std::optional<StripSpec> spec) {
+    return setSpec(document, part, std::move(spec), &Document::strips, stripFault);
 }
 
 Result<Document> setCrack(const Document &document, const BoundaryPart &part, bool cracks) {
@@ -125,9 +147,11 @@ Document setMapped(const Document &document, std::int32_t region, bool mapped) {
 }
 
 const LayerSpec *layersOf(const Document &document, std::int32_t tag) {
-    const auto found = std::find_if(document.layers.begin(), document.layers.end(),
-                                    [tag](const LayerSpec &spec) { return spec.tag == tag; });
-    return found == document.layers.end() ? nullptr : &*found;
+    return specOf(document.layers, tag);
+}
+
+const StripSpec *stripOf(const Document &document, std::int32_t tag) {
+    return specOf(document.strips, tag);
 }
 
 std::optional<std::int32_t> periodicPartner(const Document &document, std::int32_t tag) {

@@ -14,6 +14,9 @@ namespace forefront {
 
 /// Sets the boundary layers of a part, whose tag is ignored in `spec`; nullopt removes them. Error: bad-layer.
 Result<Document> setLayers(const Document &document, const BoundaryPart &part, std::optional<LayerSpec> spec);
+/// Gives an inner line a width, as a strip of rows of elements; the tag in `spec` is ignored; nullopt removes it.
+/// Error: bad-strip.
+Result<Document> setStrip(const Document &document, const BoundaryPart &part, std::optional<StripSpec> spec);
 /// Makes an inner line a crack, or no longer.
 Result<Document> setCrack(const Document &document, const BoundaryPart &part, bool cracks);
 /// Divides a part and another one, with the tag `partner`, alike; nullopt unties the part. Both leave the pairs that
@@ -24,6 +27,8 @@ Document setMapped(const Document &document, std::int32_t region, bool mapped);
 
 /// Returns the boundary layers of a tag; null: none.
 const LayerSpec *layersOf(const Document &document, std::int32_t tag);
+/// Returns the strip along lines with a tag; null: none.
+const StripSpec *stripOf(const Document &document, std::int32_t tag);
 /// Returns the tag that is divided like another one, if any.
 std::optional<std::int32_t> periodicPartner(const Document &document, std::int32_t tag);
 bool isCrack(const Document &document, std::int32_t tag);

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/result.hpp"
 #include "core/engine/domain/periodic.hpp"
 #include "core/engine/domain/segment_elements.hpp"
 #include "core/engine/layers/layer_spec.hpp"
