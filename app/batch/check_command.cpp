@@ -27,7 +27,6 @@
 #include "core/files/inner_edges.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -35,7 +34,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -127,43 +125,13 @@ bool hasConstraints(const Domain &domain) {
                        [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; });
 }
 
-/// Returns the places of the ends of an edge, the lower one first.
-std::array<double, 4> placesOf(const MeshView &mesh, const TaggedEdge &edge) {
-    const Vec2 a = mesh.nodes[index(edge.a)], b = mesh.nodes[index(edge.b)];
-    return std::pair(a.x, a.y) < std::pair(b.x, b.y) ? std::array{a.x, a.y, b.x, b.y} : std::array{b.x, b.y, a.x, a.y};
-}
-
-/// Gives edges on both sides of open lines the tags that the closed lines have, where these are new.
-void takeNewTags(const MeshView &mesh, const Mesh &closed, std::vector<TaggedEdge> &edges) {
-    std::set<std::int32_t> known;
-    for (const TaggedEdge &edge : edges) {
-        known.insert(edge.tag);
-    }
-    std::map<std::array<double, 4>, std::int32_t> tags;
-    for (const TaggedEdge &edge : closed.edges) {
-        if (!known.contains(edge.tag)) {
-            tags.emplace(placesOf(closed, edge), edge.tag);
-        }
-    }
-    for (TaggedEdge &edge : edges) {
-        const auto own = tags.find(placesOf(mesh, edge));
-        edge.tag = own == tags.end() ? edge.tag : own->second;
-    }
-}
-
-/// In the outline of a mesh, edges without a tag get one, and so do lines between parts whose nodes are not merged.
-/// Returns all tagged edges of a mesh that is compared with such an outline, with these tags; none if it has no tags at
-/// all, and is compared without them.
-std::vector<TaggedEdge> edgesLikeAnOutline(const MeshView &mesh, const Input &domain, bool mergesSides) {
+/// In the outline of a mesh, edges without a tag get one. Returns all tagged edges of a mesh that is compared with such
+/// an outline, with these; none if it has no tags at all, and is compared without them.
+std::vector<TaggedEdge> edgesLikeAnOutline(const MeshView &mesh, const Input &domain) {
     const FileFormat *const format = domain.format();
     std::vector<TaggedEdge> edges(mesh.edges.begin(), mesh.edges.end());
     if (format != nullptr && format->readsMesh && !edges.empty()) {
-        const std::optional<ClosedMesh> closed =
-            closeOpenLines(mesh, mergesSides ? OpenLineRule::OwnTags : OpenLineRule::All);
-        if (closed) {
-            takeNewTags(mesh, closed->mesh, edges);
-        }
-        const std::vector<TaggedEdge> untagged = untaggedEdges(closed ? MeshView(closed->mesh) : mesh);
+        const std::vector<TaggedEdge> untagged = untaggedEdges(mesh);
         edges.insert(edges.end(), untagged.begin(), untagged.end());
     }
     return edges;
@@ -174,7 +142,7 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
     // The parts of grids of water are open, land and islands, not those of the domain.
     const bool kinds = hasOpenBoundaries(arguments.mesh, arguments.inputFormat);
     const std::vector<TaggedEdge> edges =
-        kinds ? std::vector<TaggedEdge>() : edgesLikeAnOutline(mesh, input, arguments.repair);
+        kinds ? std::vector<TaggedEdge>() : edgesLikeAnOutline(mesh, input);
     mesh.edges = edges;
     arguments.drawing.applyTo(input.options);
     input.options.keepSharedLines = arguments.repair;

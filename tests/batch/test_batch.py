@@ -132,7 +132,8 @@ class Meshing(Case):
         self.write("dam.json", json.dumps({
             "format": "forefront", "version": 1, "nextId": 4, "regionMarkers": [{"at": [7, 1], "tag": 2}],
             "boundaryNames": {"3": "joint"}, "regionNames": {"2": "soil"},
-            "shapes": [{"id": 1, "kind": "rectangle", "use": "boundary", "tag": 1, "name": "", "nodes": [[0, 0], [8, 4]]},
+            "shapes": [{"id": 1, "kind": "polygon", "use": "boundary", "tag": 1, "name": "",
+                        "nodes": [[0, 0], [5, 0], [8, 0], [8, 4], [5, 4], [0, 4]]},
                        {"id": 2, "kind": "polyline", "use": "constraint", "tag": 2, "name": "", "nodes": [[5, 0], [5, 4]]},
                        {"id": 3, "kind": "polyline", "use": "constraint", "tag": 3, "name": "",
                         "nodes": [[1, 1], [3, 2], [4, 2]]}]}))
@@ -159,14 +160,6 @@ class Meshing(Case):
                                       (["quads:soli"], 1, "unknown-region")):
             options = [option for word in given for option in ("--elements", word)]
             self.assertIn(expected, self.call("mesh", *words, *options, code=code).stderr)
-
-    def test_blocks_that_are_not_merged_are_equal_to_themselves(self):
-        self.write("two.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 1 \"a\"\n1 2 \"b\"\n"
-                   "$EndPhysicalNames\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 1 0 0\n6 2 0 0\n7 2 1 0\n"
-                   "8 1 1 0\n$EndNodes\n$Elements\n10\n1 1 2 1 1 1 2\n2 1 2 1 1 2 3\n3 1 2 1 1 3 4\n4 1 2 1 1 4 1\n"
-                   "5 1 2 2 2 5 6\n6 1 2 2 2 6 7\n7 1 2 2 2 7 8\n8 1 2 2 2 8 5\n9 3 2 1 1 1 2 3 4\n10 3 2 1 1 5 6 7 8\n"
-                   "$EndElements\n")
-        self.assertIn("valid for the domain", self.call("check", "two.msh", "--domain", "two.msh").stdout)
 
     def test_a_least_angle_is_kept_but_at_sharp_corners(self):
         self.write("wedge.poly", "4 2 0 0\n1 0 0\n2 10 0\n3 10 0.9\n4 5 4\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n")
