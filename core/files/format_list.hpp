@@ -77,7 +77,7 @@ struct FileFormat {
     const char *component = "";
     /// Paths of the files below the folder that a mesh is written to; empty: no folder.
     std::span<const char *const> folder = {};
-    /// A program that usually reads it, such as "FreeFem++"; empty: it is not the preferred format of any.
+    /// Programs that usually read it, as "Abaqus, CalculiX"; empty: it is not the preferred format of any.
     const char *program = "";
     const char *keeps = ""; ///< the parts of a mesh that a file stores, as a sentence; empty: unless meshes are written
 };

@@ -1,3 +1,4 @@
+#include "core/drawing/document/equality.hpp"
 #include "core/drawing/recovery/journal_record.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
@@ -185,6 +186,31 @@ TEST_CASE("Tabs: what is being drawn is finished, and what is copied can be past
     driver.control('V');
     CHECK(driver.shapes() == 1);
     CHECK(driver.document().shapes[0]->nodes.size() == 3);
+}
+
+TEST_CASE("Tabs: a drag does not go on in a tab that is shown meanwhile") {
+    Clerk driver;
+    driver.squares(1);
+    driver.control('T');
+    driver.squares(1);
+    const Document here = driver.document();
+    driver.control(key::kPageUp);
+    driver.key('V');
+    driver.settle();
+    driver.press(driver.pixel({1.0, 1.7})); // on an edge
+    driver.moveTo(driver.pixel({1.4, 2.2}));
+    driver.moveTo(driver.pixel({1.8, 2.6}));
+    const Document moved = driver.document();
+    driver.control(key::kPageDown);
+    CHECK(driver.active() == 0); // keys wait for the end of a drag
+    showTab(driver.context(), 1);
+    driver.moveTo(driver.pixel({3.0, 3.0}));
+    driver.release(driver.pixel({3.5, 3.5}));
+    driver.settle();
+    CHECK(sameContent(driver.document(), here));
+    driver.control(key::kPageUp);
+    CHECK(sameContent(driver.document(), moved));
+    CHECK_FALSE(sameContent(moved, here));
 }
 
 TEST_CASE("Tabs: closing asks about unsaved changes, and the last tab becomes an empty drawing") {

@@ -199,7 +199,7 @@ void closeTab(Shell &context, std::size_t tab) {
     }
 }
 
-void afterAllUnsaved(Shell &context, std::function<void(Shell &)> then) {
+void afterAllUnsaved(Shell &context, const std::function<void(Shell &)> &then) {
     askFrom(context, 0, then);
 }
 

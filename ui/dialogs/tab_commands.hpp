@@ -27,7 +27,7 @@ bool showTabOf(Shell &context, const std::filesystem::path &file);
 /// Closes a tab after asking whether to save its unsaved changes. The last one becomes an empty drawing.
 void closeTab(Shell &context, std::size_t tab);
 /// Runs `then` after asking whether to save the unsaved changes of each tab in turn.
-void afterAllUnsaved(Shell &context, std::function<void(Shell &)> then);
+void afterAllUnsaved(Shell &context, const std::function<void(Shell &)> &then);
 /// Opens the files that wait for it, and limits the memory of tabs in the background. Called once per frame.
 void followTabs(Shell &context);
 /// Registers the actions of tabs.

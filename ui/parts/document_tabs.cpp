@@ -20,6 +20,9 @@ void finishInput(Shell &context) {
 /// Takes the document shown out of the window, which shows an empty one until another is entered.
 void DocumentTabs::leave(Shell &context) {
     finishInput(context);
+    context.tools.current().deactivate(context); // a drag does not go on in another document
+    context.rulerDrag.cancel(context);
+    context.document.endStroke();
     if (context.adaptation.busy()) {
         context.log.inform("Adapting " + context.document.title() + " ended with the meshes made so far");
     }
