@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/files/common/domain_file.hpp"
+#include "core/files/source/map_system.hpp"
 
 #include <cstdint>
 #include <pybind11/pybind11.h>
@@ -20,6 +23,9 @@ struct PythonDomain {
     std::vector<PeriodicSpec> periodic{}; ///< see MeshingJob::periodic
     std::vector<MappedSpec> mapped{};     ///< see MeshingJob::mapped
     bool fromMesh = false;                ///< nobody asked for `periodic`: a mesh file shows it
+    Diagnostics notes{};                  ///< of the reader and of repairs
+    LengthUnit unit = LengthUnit::None;   ///< of the coordinates, if the file names one
+    MapSystem system{};                   ///< of the coordinates of a map
 };
 
 /// Adds the base class of forefront.Domain to the module.
