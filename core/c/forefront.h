@@ -141,8 +141,9 @@ FOREFRONT_C_API forefront_status forefront_set_size_function(forefront_context *
 FOREFRONT_C_API forefront_status forefront_set_part_size(forefront_context *context, forefront_job *job, int32_t tag,
                                                          double size, double growth);
 /**
- * Sets an option by the name and the value that it has on the command line: elements, method, grid, improve, threads,
- * keep-boundary (true or false), min-angle, max-elements, gradation, elements-across, segments-per-turn.
+ * Sets an option by the name and the value that it has on the command line: elements, order, quad-nodes, method, grid,
+ * improve, threads, keep-boundary (true or false), min-angle, max-elements, gradation, elements-across,
+ * segments-per-turn.
  */
 FOREFRONT_C_API forefront_status forefront_set_option(forefront_context *context, forefront_job *job, const char *name,
                                                       const char *value);

@@ -69,6 +69,12 @@ forefront_status setOption(forefront_context &context, forefront::MeshingJob &jo
     if (name == "elements") {
         return setWord(context, options.elements, "elements", value);
     }
+    if (name == "order") {
+        return setWord(context, options.order, "order", value);
+    }
+    if (name == "quad-nodes") {
+        return setWord(context, options.quadNodes, "quad-nodes", value);
+    }
     if (name == "method") {
         return setWord(context, options.method, "method", value);
     }

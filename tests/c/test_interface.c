@@ -183,6 +183,13 @@ static void test_quadrilaterals_and_expressions(forefront_context *context) {
     CHECK(forefront_set_option(context, job, "elements", "quads") == FOREFRONT_OK);
     CHECK(forefront_mesh_domain(context, job, &mesh) == FOREFRONT_OK);
     CHECK(forefront_block_count(mesh) == 1 && forefront_block_nodes(mesh, 0) == 4);
+    forefront_mesh *second = NULL;
+    CHECK(forefront_set_option(context, job, "order", "2") == FOREFRONT_OK);
+    CHECK(forefront_set_option(context, job, "quad-nodes", "9") == FOREFRONT_OK);
+    CHECK(forefront_set_option(context, job, "order", "3") == FOREFRONT_BAD_ARGUMENT);
+    CHECK(forefront_mesh_domain(context, job, &second) == FOREFRONT_OK);
+    CHECK(forefront_block_size(second, 0) == forefront_block_size(mesh, 0) && forefront_block_nodes(second, 0) == 9);
+    forefront_mesh_free(second);
     CHECK(forefront_set_expression(context, job, "0.1+") == FOREFRONT_OK);
     forefront_mesh *none = NULL;
     CHECK(forefront_mesh_domain(context, job, &none) == FOREFRONT_REFUSED && none == NULL);

@@ -13,11 +13,11 @@ from ._core import Fault, __version__
 from ._domain import Domain
 from ._errors import MeshError
 from ._mesh import Mesh
-from ._meshing import Adapted, adapt, formats, mesh, read_fields, read_mesh
+from ._meshing import Adapted, Estimate, adapt, estimate, formats, mesh, read_fields, read_mesh
 from ._run import Moment, Run, run
 from ._sizes import Background, Grid, Source, read_sizes
 
 __all__ = [
-    "Adapted", "Background", "Domain", "Fault", "Grid", "Mesh", "MeshError", "Moment", "Run", "Source", "__version__",
-    "adapt", "formats", "mesh", "read_fields", "read_mesh", "read_sizes", "run",
+    "Adapted", "Background", "Domain", "Estimate", "Fault", "Grid", "Mesh", "MeshError", "Moment", "Run", "Source",
+    "__version__", "adapt", "estimate", "formats", "mesh", "read_fields", "read_mesh", "read_sizes", "run",
 ]

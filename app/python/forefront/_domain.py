@@ -23,15 +23,17 @@ class Domain(_core.DomainBase):
     names get the next free tag.
     """
 
-    notes: List[Fault]
-
     def __init__(self, other: Optional[_core.DomainBase] = None) -> None:
         """Makes an empty domain, or a copy."""
         if other is None:
             super().__init__()
         else:
             super().__init__(other)
-        self.notes = list(getattr(other, "notes", []))
+
+    @property
+    def notes(self) -> List[Fault]:
+        """What the reader did not use or warns of, and what repairs changed; the notes of meshes begin with them."""
+        return self._notes
 
     def add_loop(self, points: Any, names: Names = None) -> None:
         """Adds a closed polygon.
@@ -141,10 +143,7 @@ class Domain(_core.DomainBase):
         parameters (a dict of expressions). ``notes`` of the domain lists what the reader did not use.
         """
         source, identifier = source_of(file, format)
-        domain, notes = _core.read_domain(source, identifier, options)
-        result = cls(domain)
-        result.notes = notes
-        return result
+        return cls(_core.read_domain(source, identifier, options))
 
     @classmethod
     def from_geojson(cls, geojson: Union[str, bytes, Mapping[str, Any]], **options: Any) -> "Domain":

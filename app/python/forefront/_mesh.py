@@ -7,9 +7,10 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import _core
+from . import _core, _packages
 from ._core import Fault
 from ._domain import Domain
+from ._writing import form_of
 
 
 class Mesh(_core.MeshBase):
@@ -28,18 +29,20 @@ class Mesh(_core.MeshBase):
 
     def __init__(self, nodes: Any, elements: Any = None, regions: Any = None, edges: Any = None,
                  edge_tags: Any = None, boundary_names: Optional[Mapping[int, str]] = None,
-                 region_names: Optional[Mapping[int, str]] = None) -> None:
+                 region_names: Optional[Mapping[int, str]] = None, points: Any = None, point_tags: Any = None) -> None:
         """Makes a mesh from arrays, which are copied, or a second object for a mesh.
 
         nodes: (n, 2). elements: (m, 3), or (m, 4, 6, 8 or 9) for other kinds, or a list of such arrays. regions: (m,)
-        tags from 1 on; None: all 1. edges: (k, 2), and their tags (k,); None: all 1.
+        tags from 1 on; None: all 1. edges: (k, 2), and their tags (k,); None: all 1. points: (p,) nodes at points of
+        the domain, and their tags (p,); None: all 1.
         """
         if isinstance(nodes, _core.MeshBase):
             super().__init__(nodes)
         else:
             blocks = elements if isinstance(elements, (list, tuple)) and np.ndim(elements[0]) == 2 else [elements]
             super().__init__(_core.mesh_from_arrays(nodes, list(blocks), regions, edges, edge_tags,
-                                                    dict(boundary_names or {}), dict(region_names or {})))
+                                                    dict(boundary_names or {}), dict(region_names or {}), points,
+                                                    point_tags))
         self.node_values = dict(getattr(nodes, "node_values", {}))
         self.element_values = dict(getattr(nodes, "element_values", {}))
 
@@ -79,12 +82,45 @@ class Mesh(_core.MeshBase):
         """Returns the mesh with all elements split into triangles of 3 nodes, on the same nodes."""
         return Mesh(self._triangulated())
 
+    def recombine(self, improve: str = "default", progress: Any = None) -> "Mesh":
+        """Returns a mesh of quadrilaterals made of the triangles; nodes inside move.
+
+        The boundary, interfaces of regions, tagged edges and points stay. improve: 'none', 'default' or 'best'. Where a
+        face has an odd number of edges one triangle is left, which ``notes`` reports. Values of nodes are dropped.
+        """
+        return Mesh(self._recombined(improve, progress))
+
+    def raise_order(self, quad_nodes: int = 8, progress: Any = None) -> "Mesh":
+        """Returns the mesh with nodes in the middles of edges: elements of 6 nodes, and of 8 or 9.
+
+        Corners keep their indices. Edges of a mesh that was made here follow the curves of its domain; the others stay
+        straight. quad_nodes: 9 adds a node in the centre of each quadrilateral. Values of nodes are dropped.
+        """
+        return Mesh(self._raised(quad_nodes, progress))
+
+    def with_size(self, size: Any, **options: Any) -> "Mesh":
+        """Returns the mesh with a node spacing, for 'delta' and 'size' of :meth:`quality` and min_delta of :meth:`check`.
+
+        size and options: as for :func:`forefront.mesh`, such as the file that :func:`read_sizes` reads, gradation or
+        sizes. The domain is the outline of the mesh.
+        """
+        from ._sizes import job_of
+
+        job = job_of(Domain(_core.outline(self)), size, **options)
+        return self._with_values(self._with_spacing(*job.arguments))
+
+    def _with_values(self, other: _core.MeshBase) -> "Mesh":
+        result = Mesh(other)
+        result.node_values, result.element_values = dict(self.node_values), dict(self.element_values)
+        return result
+
     def quality(self, measure: str = "alpha") -> np.ndarray:
         """Returns the values of a measure of each element, edge or node.
 
         Of elements: 'alpha' (shape factor, 1 for an equilateral triangle), 'scaled-jacobian', 'min-angle' and
         'max-angle' (degrees), 'area', 'area-ratio', 'region', 'birth'. Of edges: 'length', 'size' and 'delta' (length
-        compared with the node spacing). Also 'across', 'island-area' and 'valence'.
+        compared with the node spacing, which a mesh that was read gets from :meth:`with_size`). Also 'across',
+        'island-area' and 'valence'.
         """
         return super().quality(measure)
 
@@ -96,67 +132,99 @@ class Mesh(_core.MeshBase):
         """Checks that the mesh is valid and, if it is given, fits its domain; returns all faults and notes.
 
         limits: such as min_angle=25, max_angle, min_alpha, min_scaled_jacobian, max_growth, min_length, max_length,
-        min_delta, min_across, max_valence. Each place that violates one is a fault.
+        min_delta, min_across, max_valence. Each place that violates one is a fault. min_delta needs a node spacing: a
+        mesh that was read gets it from :meth:`with_size`.
         """
         return self._check(domain, {name.replace("_", "-"): value for name, value in limits.items()})
 
     def write(self, file: Any, format: Optional[str] = None, inner_edges: Optional[bool] = None,
-              progress: Any = None) -> List[Fault]:
+              progress: Any = None, **form: Any) -> List[Fault]:
         """Writes the mesh to a path or an open file, and returns notes on what the format changes.
 
         format: an id of :func:`formats`; None: by extension. inner_edges: whether tagged edges inside the domain are
         written; None: as programs that read the format accept them. A file is replaced as a whole or not at all.
+
+        form, each refused by formats that have no place for it: numbering, 'creation' or 'rcm' for a small bandwidth ·
+        elevation of the nodes: an array (n,), a function of arrays x and y, an expression, or a raster (.asc, .tif) ·
+        extrude, a height or (height, layers): prisms and hexahedra · open, names or tags of boundary parts through
+        which water flows; all others are land · tags, 'keep': the same numbers and names for boundary parts and regions
+        as in the mesh, 'apart': different ones · unit, 'mm', 'cm', 'm', 'km', 'in', 'ft' or 'none': of the coordinates,
+        which do not change; None: that of the domain.
         """
+        options, notes = form_of(self, inner_edges=inner_edges, **form)
         if not hasattr(file, "write"):
-            return self._write(os.fspath(file), format or "", inner_edges, progress)
+            return notes + self._write(os.fspath(file), format or "", options, progress)
         if format is None:
             raise ValueError("format: an open file needs one, such as 'msh2'")
-        content = self.to_bytes(format, inner_edges)
+        content, more = self._to_bytes(format, options)
         file.write(content.decode() if _takes_text(file) else content)
-        return []
+        return notes + more
 
-    def to_bytes(self, format: str, inner_edges: Optional[bool] = None) -> bytes:
-        """Returns the file of a format that has one file."""
-        return super().to_bytes(format, inner_edges)
+    def to_bytes(self, format: str, inner_edges: Optional[bool] = None, **form: Any) -> bytes:
+        """Returns the file of a format that has one file. form: as for :meth:`write`."""
+        return self._to_bytes(format, form_of(self, inner_edges=inner_edges, **form)[0])[0]
 
     def numbered(self, order: Union[str, Sequence[int]] = "rcm") -> "Mesh":
         """Returns the mesh with its nodes in another order, for a small bandwidth of the matrices of solvers.
 
-        order: 'rcm', the reverse of E. Cuthill and J. McKee's order (1969), or the old index of each new node.
+        order: 'rcm', the reverse of E. Cuthill and J. McKee's order (1969), or the old index of each new node. Elements
+        of a kind are ordered by their least node.
         """
         rows = np.arange(len(self.nodes))
-        old = np.asarray(_reverse_cuthill_mckee(self) if isinstance(order, str) and order == "rcm" else order)
-        if old.shape != rows.shape or not np.array_equal(np.sort(old), rows):
-            raise ValueError("order: expected 'rcm' or each index of a node once")
-        new = np.empty(len(rows), np.int64)
-        new[old] = rows
-        if len(self.points[0]):
-            raise ValueError("order: a mesh with points keeps its numbers; write it as it is")
-        return Mesh(self.nodes[old], [new[block] for block in self.blocks.values()], self.regions, new[self.edges],
-                    self.edge_tags, self.boundary_names, self.region_names)
+        if isinstance(order, str) and order == "rcm":
+            new = self._small_bandwidth().astype(np.int64)
+            old = np.argsort(new)
+        else:
+            old = np.asarray(order)
+            if old.shape != rows.shape or not np.array_equal(np.sort(old), rows):
+                raise ValueError("order: expected 'rcm' or each index of a node once")
+            new = np.empty(len(rows), np.int64)
+            new[old] = rows
+        result = Mesh(self._renumbered(new))
+        result.node_values = {name: values[old] for name, values in self.node_values.items()}
+        if self.element_values:
+            moved = self._elements_by_least_node(new)
+            result.element_values = {name: values[moved] for name, values in self.element_values.items()}
+        return result
+
+    def _elements_by_least_node(self, new: np.ndarray) -> np.ndarray:
+        """Returns the old index of each element once the nodes have new indices."""
+        parts, first = [], 0
+        for block in self.blocks.values():
+            parts.append(first + np.argsort(new[block].min(axis=1), kind="stable"))
+            first += len(block)
+        return np.concatenate(parts)
 
     def to_matplotlib(self) -> Any:
         """Returns a matplotlib.tri.Triangulation."""
-        from matplotlib.tri import Triangulation
-
-        return Triangulation(self.nodes[:, 0], self.nodes[:, 1], self.triangles()[0])
+        return _packages.to_matplotlib(self)
 
     def to_meshio(self) -> Any:
         """Returns a meshio.Mesh, with tags as 'gmsh:physical' and names in field_data."""
-        import meshio
+        return _packages.to_meshio(self)
 
-        words = {"triangle3": "triangle", "triangle6": "triangle6", "quadrilateral4": "quad",
-                 "quadrilateral8": "quad8", "quadrilateral9": "quad9"}
-        cells = [("line", self.edges)]
-        tags = [self.edge_tags]
-        first = 0
-        for kind, block in self.blocks.items():
-            cells.append((words[kind], block))
-            tags.append(self.regions[first:first + len(block)])
-            first += len(block)
-        names = {name: np.array([tag, 1]) for tag, name in self.boundary_names.items()}
-        names.update({name: np.array([tag, 2]) for tag, name in self.region_names.items()})
-        return meshio.Mesh(self.nodes, cells, cell_data={"gmsh:physical": tags}, field_data=names)
+    def to_pyvista(self) -> Any:
+        """Returns a pyvista.UnstructuredGrid of the elements, z = 0.
+
+        cell_data has 'region', the tags, and element_values; point_data has node_values.
+        """
+        return _packages.to_pyvista(self)
+
+    def to_skfem(self) -> Any:
+        """Returns a skfem.MeshTri or MeshQuad with boundaries and subdomains by name.
+
+        Parts and regions without a name are called 'boundary_TAG' and 'region_TAG'. ValueError for elements of second
+        order or of several kinds.
+        """
+        return _packages.to_skfem(self)
+
+    def to_dolfinx(self, comm: Any = None) -> Tuple[Any, Any, Any]:
+        """Returns a dolfinx.mesh.Mesh, and MeshTags of its cells (regions) and of its facets (edges).
+
+        comm: of mpi4py, with the mesh on rank 0, which is divided; None: COMM_WORLD. ValueError for elements of second
+        order or of several kinds.
+        """
+        return _packages.to_dolfinx(self, comm)
 
     def _repr_svg_(self) -> str:
         return self.to_bytes("svg").decode()
@@ -164,7 +232,7 @@ class Mesh(_core.MeshBase):
     def __reduce__(self):
         return Mesh, (np.array(self.nodes), [np.array(block) for block in self.blocks.values()],
                       np.array(self.regions), np.array(self.edges), np.array(self.edge_tags), self.boundary_names,
-                      self.region_names)
+                      self.region_names, *map(np.array, self.points))
 
     def __repr__(self) -> str:
         return f"<forefront.Mesh: {len(self.nodes)} nodes, {self.element_count} elements>"
@@ -173,29 +241,3 @@ class Mesh(_core.MeshBase):
 def _takes_text(file: Any) -> bool:
     return hasattr(file, "encoding")
 
-
-def _reverse_cuthill_mckee(mesh: Mesh) -> np.ndarray:
-    count = len(mesh.nodes)
-    pairs = []
-    for block in mesh.blocks.values():
-        wide = block.astype(np.int64)
-        pairs += [wide[:, [i, j]] for i in range(wide.shape[1]) for j in range(wide.shape[1]) if i != j]
-    both = np.unique(np.concatenate(pairs), axis=0) if pairs else np.empty((0, 2), np.int64)
-    first = np.searchsorted(both[:, 0], np.arange(count + 1))
-    degree = np.diff(first)
-    seen = np.zeros(count, bool)
-    order: List[int] = []
-    for start in np.argsort(degree, kind="stable"):
-        if seen[start]:
-            continue
-        seen[start] = True
-        place = len(order)
-        order.append(int(start))
-        while place < len(order):
-            node = order[place]
-            place += 1
-            near = both[first[node]:first[node + 1], 1]
-            near = near[~seen[near]]
-            seen[near] = True
-            order.extend(near[np.argsort(degree[near], kind="stable")].tolist())
-    return np.array(order[::-1], np.int64)

@@ -74,7 +74,7 @@ class Run:
     @property
     def mesh(self) -> Mesh:
         """The mesh at this position. A partial mesh has all nodes and edges of the boundary."""
-        return Mesh(self._stepper.mesh())
+        return Mesh(self._stepper.mesh(self._job.domain))
 
     def explanation(self) -> Optional[Dict[str, Any]]:
         """Returns everything about the last advance as a dict; None before the first."""
@@ -131,4 +131,4 @@ def run(domain: Any, size: Any = None, *, progress: Any = None, **options: Any) 
 
     method='classic' makes one element per advance by S. H. Lo's ten steps; 'fast' up to three.
     """
-    return Run(job_of(domain, size, **options), progress)
+    return Run(job_of(domain, size, progress=progress, **options), progress)

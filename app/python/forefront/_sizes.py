@@ -1,12 +1,17 @@
 """Element sizes and meshing options, as the core takes them."""
 from __future__ import annotations
 
+import json
+import os
+import re
 from dataclasses import dataclass, field
-from typing import Any, Iterable, Mapping, Optional, Tuple, Union
+from pathlib import Path
+from typing import Any, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
+from ._core import Fault
 from ._domain import Domain, domain_of, is_geojson, sized_domain
 from ._files import source_of
 from ._sampling import Sampled, sampled
@@ -124,12 +129,15 @@ def _is_function(size: Any) -> bool:
     return callable(size) and not isinstance(size, (_core.Sizes, Grid, Background))
 
 
+def _pitch_of(grid: Grid) -> Point:
+    return (grid.pitch, grid.pitch) if np.ndim(grid.pitch) == 0 else grid.pitch
+
+
 def _set_size(sizes: _core.Sizes, size: Any) -> None:
     if isinstance(size, str):
         sizes.expression = size
     elif isinstance(size, Grid):
-        pitch = (size.pitch, size.pitch) if np.ndim(size.pitch) == 0 else size.pitch
-        sizes.set_grid(size.values, size.origin, pitch)
+        sizes.set_grid(size.values, size.origin, _pitch_of(size))
     elif isinstance(size, Background):
         sizes.set_background(size.nodes, size.elements, size.values)
     elif isinstance(size, Sampled):
@@ -200,8 +208,14 @@ def job_of(domain: Any, size: Any = None, *, sources: Iterable[Source] = (),
            grid: Optional[str] = None, improve: Optional[str] = None, threads: Optional[int] = None,
            keep_boundary: Optional[bool] = None, min_angle: Optional[float] = None,
            max_elements: Optional[int] = None, verify: bool = False,
-           exact: bool = False, repair: bool = False) -> Job:
+           exact: bool = False, repair: bool = False, order: Optional[int] = None, quad_nodes: Optional[int] = None,
+           rules: Any = None, target_elements: Optional[int] = None, rasters: Optional[Mapping[str, Any]] = None,
+           size_presets: Union[None, str, Sequence[str]] = None, progress: Any = None) -> Job:
     """Makes the job of :func:`forefront.mesh` and :func:`forefront.run`, which document the arguments."""
+    if size_presets is not None:
+        if size is not None:
+            raise ValueError("size_presets: they are the size; leave out size")
+        size = _core.preset_expression([size_presets] if isinstance(size_presets, str) else list(size_presets))
     if isinstance(size, str) and is_geojson(domain) and _has_property(domain, size):
         domain, size = sized_domain(domain, size, names), None
     elif names is not None:
@@ -215,30 +229,38 @@ def job_of(domain: Any, size: Any = None, *, sources: Iterable[Source] = (),
         domain.curve_tolerance = curve_tolerance
     grid_of_size = sampled(size, domain.bounds) if _is_function(size) and not exact else None
     size = size if grid_of_size is None else grid_of_size
-    rules = _core.Sizes(size) if isinstance(size, _core.Sizes) else _core.Sizes()
+    spec = _core.Sizes(size) if isinstance(size, _core.Sizes) else _core.Sizes()
     if size is not None and not isinstance(size, _core.Sizes):
-        _set_size(rules, size)
+        _set_size(spec, size)
     for source in sources:
-        source._add_to(rules)
+        source._add_to(spec)
     for name, value in (sizes or {}).items():
-        rules.set_part(_tag_of(name, domain.boundary_names, "boundary part"), *_pair(value))
+        spec.set_part(_tag_of(name, domain.boundary_names, "boundary part"), *_pair(value))
     for name, value in (regions or {}).items():
         for at in _region_places(domain, name):
             length, growth = _pair(value)
-            rules.add_region(at, length, 0.0, growth)
-    _set_areas(rules, domain, max_area)
+            spec.add_region(at, length, 0.0, growth)
+    _set_areas(spec, domain, max_area)
     given = {"minimum": minimum, "maximum": maximum, "gradation": gradation, "elements_across": elements_across,
              "segments_per_turn": segments_per_turn, "keep_automatic": keep_automatic}
     for name, value in given.items():
         if value is not None:
-            setattr(rules, name, value)
-    rules.from_boundary = rules.from_boundary or from_boundary
+            setattr(spec, name, value)
+    spec.from_boundary = spec.from_boundary or from_boundary
     if parameters:
-        rules.names = dict(parameters)
-    return Job(domain, rules, size is not None,
-               _options(domain, elements, method, grid, improve, threads, keep_boundary, min_angle, max_elements,
-                        verify),
-               grid_of_size)
+        spec.names = dict(parameters)
+    notes = _set_rasters(spec, rasters or {})
+    if notes:
+        domain = domain.copy()
+        domain._add_notes(notes)
+    options = _options(domain, elements, method, grid, improve, threads, keep_boundary, min_angle, max_elements, verify)
+    _set_form(options, order, quad_nodes, rules)
+    if target_elements is None:
+        return Job(domain, spec, size is not None, options, grid_of_size)
+    if target_elements < 1:
+        raise ValueError(f"target_elements: expected a number from 1 on, got {target_elements}")
+    scaled = _core.scaled_domain(domain, spec, size is not None, options, int(target_elements), progress)
+    return Job(Domain(scaled), _core.Sizes(), False, options)
 
 
 def _has_property(geojson: Any, name: str) -> bool:
@@ -246,11 +268,39 @@ def _has_property(geojson: Any, name: str) -> bool:
     return any(name in (feature.get("properties") or {}) for feature in features)
 
 
+def _set_rasters(spec: _core.Sizes, rasters: Mapping[str, Any]) -> List[Fault]:
+    """Gives the expression its rasters. Returns the notes of their readers."""
+    notes: List[Fault] = []
+    for name, raster in rasters.items():
+        if isinstance(raster, Grid):
+            spec.set_raster(name, raster.values, raster.origin, _pitch_of(raster))
+        elif isinstance(raster, str) or hasattr(raster, "__fspath__"):
+            notes += spec.read_raster(name, os.fspath(raster))
+        else:
+            raise TypeError(f"rasters: expected a file or a Grid for '{name}', got {type(raster).__name__}")
+    return notes
+
+
+def _set_form(options: _core.Options, order: Optional[int], quad_nodes: Optional[int], rules: Any) -> None:
+    if order is not None:
+        options.set_order(str(order))
+    if quad_nodes is not None:
+        options.set_quad_nodes(str(quad_nodes))
+    if isinstance(rules, Mapping):
+        options.set_rules(json.dumps(rules))
+    elif rules is not None:
+        options.set_rules(Path(rules).read_text(encoding="utf-8"))
+
+
 def _options(domain: Domain, elements: Optional[str], method: Optional[str], grid: Optional[str],
              improve: Optional[str], threads: Optional[int], keep_boundary: Optional[bool],
              min_angle: Optional[float], max_elements: Optional[int], verify: bool) -> _core.Options:
     options = _core.Options(domain)
-    for word, setter in ((elements, options.set_elements), (method, options.set_method), (grid, options.set_grid),
+    cells = re.fullmatch(r"uniform:(\d+)x(\d+)", grid or "")
+    if cells:
+        options.set_uniform_grid(*(min(int(number), 2**31 - 1) for number in cells.groups()))
+    for word, setter in ((elements, options.set_elements), (method, options.set_method),
+                         (None if cells else grid, options.set_grid),
                          (improve, options.set_improve)):
         if word is not None:
             setter(word)

@@ -230,7 +230,9 @@ py::tuple repairDomain(const PythonDomain &self, double tolerance) {
     Repaired repaired = valueOrRaise(withoutGil([&] { return repair(domain, tolerance); }));
     carryElements(domain, repaired, result.spacing);
     result.domain = std::move(repaired.domain);
-    return py::make_tuple(std::move(result), faultList(notesWithPlaces(repaired.changes)));
+    const Diagnostics changes = notesWithPlaces(repaired.changes);
+    result.notes.insert(result.notes.end(), changes.begin(), changes.end());
+    return py::make_tuple(std::move(result), faultList(changes));
 }
 
 void bindParts(py::class_<PythonDomain> &domain) {
@@ -266,6 +268,11 @@ void bindProperties(py::class_<PythonDomain> &domain) {
             [](PythonDomain &self, bool marked) {
                 self.domain.insideRule = marked ? InsideRule::HoleMarkers : InsideRule::EvenOdd;
             })
+        .def_property_readonly("_notes", [](const PythonDomain &self) { return faultList(self.notes); })
+        .def("_add_notes",
+             [](PythonDomain &self, const Diagnostics &notes) {
+                 self.notes.insert(self.notes.end(), notes.begin(), notes.end());
+             })
         .def_property_readonly("bounds", [](const PythonDomain &self) {
             const Box2 box = self.domain.bounds();
             return py::make_tuple(box.min.x, box.min.y, box.max.x, box.max.y);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/files/common/domain_file.hpp"
+#include "core/files/source/map_system.hpp"
 
 #include <cstdint>
 #include <pybind11/pybind11.h>
@@ -23,6 +26,9 @@ struct PythonDomain {
     std::vector<LayerSpec> layers{};              ///< see MeshingJob::layers
     std::vector<RegionElements> regionElements{}; ///< see MeshingJob::regionElements
     std::vector<PeriodicSpec> periodicOfMesh{};   ///< of `periodic`: nobody asked for them, a mesh file shows them
+    Diagnostics notes{};                          ///< of the reader and of repairs
+    LengthUnit unit = LengthUnit::None;           ///< of the coordinates, if the file names one
+    MapSystem system{};                           ///< of the coordinates of a map
 };
 
 /// Returns the tag of a boundary part given by its name, which is added if it is new, or by its number; None: 1.

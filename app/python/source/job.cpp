@@ -2,12 +2,22 @@
 
 #include "app/python/source/arrays.hpp"
 #include "app/python/source/faults.hpp"
+#include "app/python/source/progress_calls.hpp"
 #include "app/python/source/shared_object.hpp"
+#include "core/engine/spacing/parts/expression/spacing_functions.hpp"
 #include "core/engine/spacing/spec/size_grid.hpp"
+#include "core/engine/spacing/spec/size_presets.hpp"
+#include "core/files/elevations.hpp"
+#include "core/files/rules/rules_json.hpp"
+#include "core/files/source/source.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 #include <string>
+#include <vector>
 
 namespace forefront::python {
 
@@ -53,6 +63,66 @@ void setGrid(SpacingSpec &self, const ArrayOf<double> &values, const py::object 
     grid.columns = static_cast<std::size_t>(values.shape(1));
     grid.values.assign(values.data(), values.data() + values.size());
     self.background = valueOrRaise(backgroundOf(grid));
+}
+
+void checkName(const std::string &name) {
+    if (const std::string wrong = checkRasterName(name); !wrong.empty()) {
+        throw py::value_error("rasters: " + wrong);
+    }
+}
+
+/// Reads a raster that the expression calls by its name. Returns the notes of the reader.
+py::list readRasterFile(SpacingSpec &self, const std::string &name, const std::filesystem::path &path) {
+    checkName(name);
+    ImportNotes notes;
+    Raster raster = valueOrRaise(withoutGil([&] { return readRaster(path, {}, &notes); }));
+    self.rasters[name] = std::make_shared<const Raster>(std::move(raster));
+    return faultList(notes.diagnostics());
+}
+
+void setRaster(SpacingSpec &self, const std::string &name, const ArrayOf<double> &values, const py::object &origin,
+               const py::object &pitch) {
+    checkName(name);
+    if (values.ndim() != 2 || values.size() == 0) {
+        throw py::value_error("rasters: expected values of shape (rows, columns)");
+    }
+    auto raster = std::make_shared<Raster>();
+    raster->origin = pointOf(origin, "origin");
+    raster->pitch = pointOf(pitch, "pitch");
+    const auto positive = [](double length) { return std::isfinite(length) && length > 0.0; };
+    if (!positive(raster->pitch.x) || !positive(raster->pitch.y) || !std::isfinite(raster->origin.x) ||
+        !std::isfinite(raster->origin.y)) {
+        throw py::value_error("rasters: expected a finite origin and a pitch above 0");
+    }
+    raster->rows = static_cast<std::size_t>(values.shape(0));
+    raster->columns = static_cast<std::size_t>(values.shape(1));
+    raster->values.assign(values.data(), values.data() + values.size());
+    self.rasters[name] = std::move(raster);
+}
+
+/// Takes the rules of the classic method from JSON, once the elements and the method are set.
+void setRules(MeshingOptions &self, const std::string &json) {
+    if (self.elements != Elements::Triangles) {
+        throw py::value_error("rules: quadrilaterals have a front of their own, without these rules; leave out rules, "
+                              "or give elements='triangles', method='classic'");
+    }
+    if (self.method != Method::Classic) {
+        throw py::value_error("rules: the fast method has no such rules; add method='classic'");
+    }
+    SourceText source;
+    source.text = json;
+    source.name = "rules";
+    self.rules = valueOrRaise(readRulesText(source));
+}
+
+void setUniformGrid(MeshingOptions &self, int columns, int rows) {
+    constexpr int kMaxCells = 100'000;
+    if (std::min(columns, rows) < 1 || std::max(columns, rows) > kMaxCells) {
+        throw py::value_error("grid: expected 1 to " + std::to_string(kMaxCells) + " columns and rows");
+    }
+    self.grid = GridKind::Uniform;
+    self.gridColumns = columns;
+    self.gridRows = rows;
 }
 
 void setBackground(SpacingSpec &self, const ArrayOf<double> &nodes, const ArrayOf<std::uint32_t> &elements,
@@ -123,6 +193,8 @@ void bindSizes(py::module_ &module) {
         .def("set_function", &setFunction)
         .def("set_grid", &setGrid)
         .def("set_background", &setBackground)
+        .def("read_raster", &readRasterFile)
+        .def("set_raster", &setRaster)
         .def("add_source", &addSource)
         .def("set_part",
              [](SpacingSpec &self, std::int32_t tag, double size, double growth) {
@@ -147,6 +219,11 @@ void bindOptions(py::module_ &module) {
         .def("set_grid", [](MeshingOptions &self, const std::string &word) { setWord(self.grid, "grid", word); })
         .def("set_improve",
              [](MeshingOptions &self, const std::string &word) { setWord(self.improve, "improve", word); })
+        .def("set_order", [](MeshingOptions &self, const std::string &word) { setWord(self.order, "order", word); })
+        .def("set_quad_nodes",
+             [](MeshingOptions &self, const std::string &word) { setWord(self.quadNodes, "quad_nodes", word); })
+        .def("set_rules", &setRules)
+        .def("set_uniform_grid", &setUniformGrid)
         .def_readwrite("keep_boundary", &MeshingOptions::keepBoundary)
         .def_readwrite("min_angle", &MeshingOptions::leastAngle)
         .def_readwrite("threads", &MeshingOptions::threads)
@@ -159,6 +236,8 @@ void bindOptions(py::module_ &module) {
 void bindJob(py::module_ &module) {
     bindSizes(module);
     bindOptions(module);
+    module.def("preset_expression",
+               [](const std::vector<std::string> &rules) { return valueOrRaise(presetExpression(rules)); });
 }
 
 MeshingJob jobOf(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces, const MeshingOptions &options) {
@@ -170,6 +249,15 @@ MeshingJob jobOf(const PythonDomain &domain, const SpacingSpec &sizes, bool repl
     job.layers = domain.layers;
     job.regionElements = domain.regionElements;
     SpacingSpec &spacing = job.spacing;
+    // The parameters and rasters of a project hold for other expressions, too.
+    auto names = spacing.names;
+    auto rasters = spacing.rasters;
+    for (const auto &[name, value] : sizes.names) {
+        names[name] = value;
+    }
+    for (const auto &[name, raster] : sizes.rasters) {
+        rasters[name] = raster;
+    }
     if (replaces) {
         spacing.replaceRules(sizes);
     } else {
@@ -190,6 +278,8 @@ MeshingJob jobOf(const PythonDomain &domain, const SpacingSpec &sizes, bool repl
             spacing.partSizes[tag] = size;
         }
     }
+    spacing.names = std::move(names);
+    spacing.rasters = std::move(rasters);
     const PlacedSizes &placed = sizes.placed;
     spacing.placed.nodes.insert(spacing.placed.nodes.end(), placed.nodes.begin(), placed.nodes.end());
     spacing.placed.regions.insert(spacing.placed.regions.end(), placed.regions.begin(), placed.regions.end());

@@ -1,7 +1,9 @@
 #include "app/python/source/mesh.hpp"
 
 #include "app/python/source/arrays.hpp"
+#include "app/python/source/derived.hpp"
 #include "app/python/source/faults.hpp"
+#include "app/python/source/writing.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/mesh_access.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
@@ -203,11 +205,25 @@ void setEdges(Mesh &mesh, const std::optional<ArrayOf<std::int64_t>> &edges,
     }
 }
 
+void setPoints(Mesh &mesh, const std::optional<ArrayOf<std::int64_t>> &points,
+               const std::optional<ArrayOf<std::int32_t>> &tags) {
+    const py::ssize_t count = points ? points->size() : 0;
+    if (tags && tags->size() != count) {
+        throw py::value_error("point_tags: expected one for each of the " + std::to_string(count) + " points, got " +
+                              std::to_string(tags->size()));
+    }
+    for (py::ssize_t k = 0; k < count; ++k) {
+        mesh.points.push_back(
+            {checkedNode(points->data()[k], mesh.nodes.size(), "points"), tags ? tags->data()[k] : 1});
+    }
+}
+
 PythonMesh meshFromArrays(const ArrayOf<double> &nodes, const std::vector<ArrayOf<std::int64_t>> &elements,
                           const std::optional<ArrayOf<std::int32_t>> &regions,
                           const std::optional<ArrayOf<std::int64_t>> &edges,
-                          const std::optional<ArrayOf<std::int32_t>> &edgeTags, Names boundaryNames,
-                          Names regionNames) {
+                          const std::optional<ArrayOf<std::int32_t>> &edgeTags, Names boundaryNames, Names regionNames,
+                          const std::optional<ArrayOf<std::int64_t>> &points,
+                          const std::optional<ArrayOf<std::int32_t>> &pointTags) {
     Mesh mesh;
     mesh.nodes = pointsOf(nodes, "nodes");
     for (const auto &block : elements) {
@@ -215,6 +231,7 @@ PythonMesh meshFromArrays(const ArrayOf<double> &nodes, const std::vector<ArrayO
     }
     setRegions(mesh, regions);
     setEdges(mesh, edges, edgeTags);
+    setPoints(mesh, points, pointTags);
     mesh.boundaryNames = std::move(boundaryNames);
     mesh.regionNames = std::move(regionNames);
     return pythonMesh(std::move(mesh));
@@ -228,7 +245,7 @@ PythonMesh pythonMesh(Mesh mesh) {
             block.regions.assign(block.size(), 1);
         }
     }
-    return {std::make_shared<const Mesh>(std::move(mesh)), nullptr, {}, {}};
+    return {std::make_shared<const Mesh>(std::move(mesh)), nullptr, {}};
 }
 
 void bindMesh(py::module_ &module) {
@@ -250,6 +267,8 @@ void bindMesh(py::module_ &module) {
         .def("_triangles", &triangleArrays)
         .def("_triangulated", [](const PythonMesh &self) { return pythonMesh(triangulated(*self.mesh).mesh); });
     bindMeshReports(mesh);
+    bindWriting(mesh);
+    bindDerived(mesh);
     module.def("mesh_from_arrays", &meshFromArrays);
 }
 

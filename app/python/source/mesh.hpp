@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesher/options.hpp"
@@ -7,6 +8,7 @@
 #include "core/engine/quads/quad_report.hpp"
 #include "core/engine/refine/least_angle.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
+#include "core/files/source/map_system.hpp"
 
 #include <memory>
 #include <optional>
@@ -33,7 +35,9 @@ struct PythonMesh {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const SpacingField> spacing; ///< null: unknown
     std::optional<MadeBy> made;                  ///< nothing for a mesh that was read
-    Diagnostics notes;                           ///< of the run or of the reader
+    Diagnostics notes{};                         ///< of the reader, then of the run
+    LengthUnit unit = LengthUnit::None;          ///< of the coordinates, which files name
+    MapSystem system{};                          ///< of the coordinates of a map, which files name
 };
 
 /// Wraps a mesh and gives each element a region.

@@ -4,19 +4,14 @@
 #include "app/python/source/faults.hpp"
 #include "app/python/source/mesh.hpp"
 #include "app/python/source/progress_calls.hpp"
-#include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/verify.hpp"
-#include "core/files/files.hpp"
-#include "core/files/inner_edges.hpp"
-#include "core/files/text/text_writer.hpp"
 
 #include <map>
 #include <optional>
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 #include <string>
 
 namespace forefront::python {
@@ -32,7 +27,8 @@ py::array measureArray(const PythonMesh &self, const std::string &word) {
         withoutGil([&] { return measureValues(*measure, *self.mesh, edgesOf(*self.mesh), self.spacing.get()); });
     if (values.empty() && self.mesh->elementCount() > 0) {
         throw py::value_error("measure: '" + word +
-                              "' compares with the node spacing, which is known only for a mesh that was made here");
+                              "' compares with the node spacing, which is known only for a mesh that was made here; "
+                              "with_size() gives one to any mesh");
     }
     return copyOfValues<double>(values);
 }
@@ -100,8 +96,9 @@ py::list checkMesh(const PythonMesh &self, const PythonDomain *checked, const st
         }
         for (const LimitVerdict &verdict : checkLimits(*self.mesh, limits, self.spacing.get())) {
             if (verdict.judged == 0 && verdict.limit == MeshLimit::MinDelta) {
-                const Diagnostics none = error("no-spacing", "min-delta needs a node spacing, and the mesh has none",
-                                               "check the mesh that mesh() returned");
+                const Diagnostics none =
+                    error("no-spacing", "min-delta needs a node spacing, and the mesh has none",
+                          "check the mesh that mesh() returned, or give it a spacing by with_size()");
                 faults.insert(faults.end(), none.begin(), none.end());
             }
             const Diagnostics broken = faultsOf(verdict);
@@ -111,45 +108,12 @@ py::list checkMesh(const PythonMesh &self, const PythonDomain *checked, const st
     }));
 }
 
-/// Returns the mesh as a format takes it: without inner edges where `keep` is false, or absent and the format takes
-/// every tagged edge for a boundary.
-std::optional<Mesh> outlineFor(const Mesh &mesh, const std::filesystem::path &path, const std::string &format,
-                               std::optional<bool> keep) {
-    const bool drops = keep ? !*keep : !acceptsInnerEdges(path, format);
-    return drops && hasInnerEdges(mesh) ? std::optional<Mesh>(withoutInnerEdges(mesh)) : std::nullopt;
-}
-
-py::list writeFile(const PythonMesh &self, const std::filesystem::path &path, const std::string &format,
-                   std::optional<bool> innerEdges, const py::object &callback) {
-    const Progress progress = progressOf(callback);
-    const Diagnostics notes = withoutGil([&] {
-        const std::optional<Mesh> outline = outlineFor(*self.mesh, path, format, innerEdges);
-        const MeshView view = outline ? MeshView(*outline) : MeshView(*self.mesh);
-        const Status written = writeMesh(path, view, format, progress);
-        return hasErrors(written) ? written : exportNotes(path, view, format);
-    });
-    raiseErrors(notes);
-    return faultList(notes);
-}
-
-py::bytes toBytes(const PythonMesh &self, const std::string &format, std::optional<bool> innerEdges) {
-    StringSink sink;
-    const Status written = withoutGil([&] {
-        const std::optional<Mesh> outline = outlineFor(*self.mesh, {}, format, innerEdges);
-        return writeMesh(sink, outline ? MeshView(*outline) : MeshView(*self.mesh), format);
-    });
-    raiseErrors(written);
-    return {sink.text};
-}
-
 } // namespace
 
 void bindMeshReports(py::class_<PythonMesh> &mesh) {
     mesh.def("quality", &measureArray, py::arg("measure") = "alpha")
         .def("_summary", &summaryJson)
-        .def("_check", &checkMesh)
-        .def("_write", &writeFile)
-        .def("to_bytes", &toBytes, py::arg("format"), py::arg("inner_edges") = py::none());
+        .def("_check", &checkMesh);
 }
 
 } // namespace forefront::python

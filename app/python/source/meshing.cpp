@@ -1,5 +1,6 @@
 #include "app/python/source/meshing.hpp"
 
+#include "app/batch/report.hpp"
 #include "app/python/source/arrays.hpp"
 #include "app/python/source/faults.hpp"
 #include "app/python/source/job.hpp"
@@ -13,7 +14,10 @@
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/pipeline/optional_periodic.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/pipeline/run_estimate.hpp"
+#include "core/engine/pipeline/target_elements.hpp"
 #include "core/engine/platform/process.hpp"
+#include "core/engine/spacing/scaled_sizes.hpp"
 
 #include <algorithm>
 #include <map>
@@ -26,6 +30,18 @@ namespace forefront::python {
 
 namespace {
 
+/// Returns everything that is to be said of a mesh, as the batch program prints it. `job`: as it was meshed.
+Diagnostics notesOf(const MeshingOutcome &outcome, const MeshingJob &job) {
+    Diagnostics notes = outcome.spacing->notes();
+    for (const Diagnostics &more :
+         {largeElements(outcome.mesh, job.domain, job.spacing.placed.regions), forcedAngles(outcome.leastAngle),
+          notConvex(outcome.quads), straightEdges(outcome.order),
+          shortenedLayers(outcome.layers, outcome.mesh.boundaryNames)}) {
+        notes.insert(notes.end(), more.begin(), more.end());
+    }
+    return notes;
+}
+
 PythonMesh meshDomainOf(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces,
                         const MeshingOptions &options, const py::object &callback) {
     MeshingJob job = jobOf(domain, sizes, replaces, options);
@@ -34,17 +50,51 @@ PythonMesh meshDomainOf(const PythonDomain &domain, const SpacingSpec &sizes, bo
     MeshingOutcome outcome = valueOrRaise(withoutGil([&] { return meshDomain(job, progress); }));
     MadeBy made{outcome.work,    outcome.quads,          options.leastAngle,  outcome.leastAngle,     options.elements,
                 options.improve, outcome.secondsPrepare, outcome.secondsMesh, outcome.secondsImprove, peakMemory()};
-    Diagnostics notes = outcome.spacing->notes();
-    notes.insert(notes.end(), leftOut.begin(), leftOut.end());
-    const Diagnostics large = largeElements(outcome.mesh, job.domain, job.spacing.placed.regions);
-    notes.insert(notes.end(), large.begin(), large.end());
-    const Diagnostics forced = forcedAngles(outcome.leastAngle);
-    notes.insert(notes.end(), forced.begin(), forced.end());
+    Diagnostics notes = domain.notes;
+    for (const Diagnostics &more : {leftOut, notesOf(outcome, job)}) {
+        notes.insert(notes.end(), more.begin(), more.end());
+    }
     PythonMesh mesh = pythonMesh(std::move(outcome.mesh));
     mesh.spacing = std::move(outcome.spacing);
     mesh.made = made;
     mesh.notes = std::move(notes);
+    mesh.unit = domain.unit;
+    mesh.system = domain.system;
     return mesh;
+}
+
+/// Returns what a run will need: elements, nodes, edges of the boundary, bytes, CPU seconds, and the notes of the
+/// domain.
+py::tuple estimateOf(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces, const MeshingOptions &options,
+                     const py::object &callback) {
+    MeshingJob job = jobOf(domain, sizes, replaces, options);
+    Diagnostics notes = domain.notes;
+    const Diagnostics leftOut = leaveOutExcludedPeriodic(job, domain.periodicOfMesh);
+    notes.insert(notes.end(), leftOut.begin(), leftOut.end());
+    const Progress progress = progressOf(callback);
+    const RunEstimate found = valueOrRaise(withoutGil([&] { return estimateRun(job, progress); }));
+    return py::make_tuple(found.elements, found.nodes, found.boundaryEdges, found.bytes, found.seconds,
+                          faultList(notes));
+}
+
+/// Returns a domain with all sizes of its job, scaled until the mesh has a number of elements.
+PythonDomain scaledDomain(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces,
+                          const MeshingOptions &options, std::uint64_t target, const py::object &callback) {
+    MeshingJob job = jobOf(domain, sizes, replaces, options);
+    leaveOutExcludedPeriodic(job, domain.periodicOfMesh);
+    const auto scaled = [&job](double factor) {
+        MeshingJob next = job;
+        next.spacing = scaledSizes(job.spacing, factor, job.domain);
+        return next;
+    };
+    const Progress progress = progressOf(callback);
+    const TargetSizes found = valueOrRaise(withoutGil([&] { return sizesForElements(scaled, target, progress); }));
+    job = scaled(found.factor);
+    PythonDomain result = domain;
+    result.spacing = job.spacing;
+    const Diagnostics missed = missedTarget(found, target, job);
+    result.notes.insert(result.notes.end(), missed.begin(), missed.end());
+    return result;
 }
 
 /// Numbers the faces of a mesh: the parts between its tagged edges.
@@ -160,6 +210,8 @@ py::tuple adapt(const PythonMesh &self, const PythonDomain *domain, const py::ob
 
 void bindMeshing(py::module_ &module) {
     module.def("mesh", &meshDomainOf);
+    module.def("estimate", &estimateOf);
+    module.def("scaled_domain", &scaledDomain);
     module.def("mesh_faces", [](const PythonMesh &self) {
         return copyOfValues<std::int32_t>(withoutGil([&] { return MeshFaces(*self.mesh).faces(); }));
     });

@@ -93,9 +93,11 @@ Result<PythonDomain> readDomainFile(const PythonFile &file, ImportNotes &notes) 
             return document.faults();
         }
         MeshingJob job = forefront::jobOf(*document);
-        return PythonDomain{std::move(job.domain), std::move(job.spacing),  job.options,
+        PythonDomain domain{std::move(job.domain), std::move(job.spacing),  job.options,
                             std::move(job.cracks), std::move(job.periodic), std::move(job.mapped),
                             std::move(job.strips), std::move(job.layers),   std::move(job.regionElements)};
+        domain.unit = document->unit;
+        return domain;
     }
     Result<DomainFile> read = allFormats().readDomain(file.path, file.options, &notes);
     if (!read) {
@@ -104,16 +106,19 @@ Result<PythonDomain> readDomainFile(const PythonFile &file, ImportNotes &notes) 
     PythonDomain domain{std::move(read->domain), std::move(read->spacing),  {},
                         std::move(read->cracks), std::move(read->periodic), std::move(read->mapped)};
     domain.periodicOfMesh = domain.periodic;
+    domain.unit = read->unit;
     return domain;
 }
 
-py::tuple readDomainOf(const py::object &source, const std::string &format, const py::dict &given) {
+PythonDomain readDomainOf(const py::object &source, const std::string &format, const py::dict &given) {
     PythonFile file = fileOf(source, format);
     setImportOptions(file.options, given);
     file.options.progress = progressOf(py::none());
     ImportNotes notes;
     PythonDomain domain = valueOrRaise(withoutGil([&] { return readDomainFile(file, notes); }));
-    return py::make_tuple(std::move(domain), faultList(notes.diagnostics()));
+    domain.notes = notes.diagnostics();
+    domain.system = notes.contents().system;
+    return domain;
 }
 
 py::dict fieldArrays(const NamedFields &fields) {
@@ -157,6 +162,11 @@ py::list formatList() {
         row["reads_mesh"] = format.readsMesh;
         row["reads_sizes"] = format.readsSpacing;
         row["writes_mesh"] = format.writesMesh;
+        row["elevation"] = format.writesMesh && format.holdsElevations;
+        row["extrude"] = format.writesMesh && format.holdsSolids;
+        row["open"] = format.writesMesh && format.hasOpenBoundaries;
+        row["tags"] = format.writesMesh && format.tellsTagsApart;
+        row["unit"] = format.writesMesh && format.namesUnit;
         list.append(row);
     }
     return list;

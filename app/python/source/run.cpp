@@ -176,7 +176,13 @@ void bindRun(py::module_ &module) {
              })
         .def("front", [](MeshStepper &run) { return frontArray(live(run)); })
         .def("explanation", [](MeshStepper &run) { return explanationDict(live(run)); })
-        .def("mesh", [](MeshStepper &run) { return pythonMesh(withoutGil([&] { return live(run).mesh(); })); });
+        .def("mesh", [](MeshStepper &run, const PythonDomain &domain) {
+            PythonMesh mesh = pythonMesh(withoutGil([&] { return live(run).mesh(); }));
+            mesh.notes = domain.notes;
+            mesh.unit = domain.unit;
+            mesh.system = domain.system;
+            return mesh;
+        });
     module.def("run_page", &runPage);
     module.def("run_film", &runFilm);
     module.def("run_trace", &runTrace);
