@@ -20,7 +20,7 @@ from common import Samples, measures, near, same
 
 try:
     from qgis.core import (QgsApplication, QgsColorRampShader, QgsGradientColorRamp, QgsMapRendererParallelJob,
-                           QgsMapSettings, QgsMesh, QgsMeshDatasetIndex, QgsMeshLayer, QgsMeshRendererMeshSettings,
+                           QgsMapSettings, QgsMesh, QgsMeshLayer, QgsMeshRendererMeshSettings,
                            QgsMeshRendererScalarSettings, QgsProviderRegistry)
     from qgis.PyQt.QtCore import QSize
     from qgis.PyQt.QtGui import QColor
@@ -105,7 +105,6 @@ def colour_by_elevation(layer, settings):
     colours.setColorRampShader(shader)
     settings.setScalarSettings(0, colours)
     settings.setActiveScalarDatasetGroup(0)
-    layer.setStaticScalarDatasetIndex(QgsMeshDatasetIndex(0, 0))
 
 
 def draw(file, picture):

@@ -68,6 +68,7 @@ sh tests/readers/heavy_readers.sh build/release/tests/forefront_export_sample
 QGIS 3.22 reads XDMF only as values of a mesh that another file holds, a time series of values of elements; `check_qgis.py` shows that
 our files are refused as a mesh and as values. For QGIS, write 2DM, UGRID or SELAFIN. Of 2DM it reads triangles of 3 and,
 as polygons, of 6 nodes, and quadrilaterals of 4; it does not recognise a file with quadrilaterals of 8 or 9 nodes, which the same script shows.
+[The sample Bay with its depths](../../tests/readers/bay_by_qgis.png), a UGRID file, as QGIS draws it.
 
 MFEM holds second order, too: as a grid function `nodes`, whose values follow the numbers that MFEM itself gives the edges. It is not
 written and not read, since no program in Debian could check that these numbers are the same as ours.
