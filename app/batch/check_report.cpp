@@ -2,7 +2,10 @@
 
 #include "app/batch/cli_options.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/option_notes.hpp"
 #include "core/drawing_files/documents.hpp"
+#include "core/engine/base/enum_words.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/files/files.hpp"
 
 #include <algorithm>
@@ -79,6 +82,26 @@ void printMeasures(const MeshView &mesh, const SpacingField *spacing) {
     }
 }
 
+namespace {
+
+/// Returns a note that the command mesh can change settings until a mesh meets more of the limits, with the options
+/// that do; empty if none is violated that a setting could mend.
+Diagnostics fixAdvice(const std::vector<LimitVerdict> &verdicts) {
+    std::string options;
+    bool violated = false;
+    for (const LimitVerdict &verdict : verdicts) {
+        if (verdict.limit != MeshLimit::MinIslandArea) { // islands belong to the outline
+            options += "--limit " + std::string(wordOf(verdict.limit)) + '=' + exactText(verdict.bound) + ' ';
+            violated = violated || verdict.broken > 0;
+        }
+    }
+    return violated ? noteOf("limits", "the command mesh looks for settings that meet these limits",
+                             "add to it: " + options + "--fix")
+                    : Diagnostics();
+}
+
+} // namespace
+
 bool printVerdicts(const std::filesystem::path &file, const std::vector<LimitVerdict> &verdicts,
                    const MeshNumbers &numbers, bool prints) {
     bool met = true;
@@ -93,6 +116,7 @@ bool printVerdicts(const std::filesystem::path &file, const std::vector<LimitVer
         }
         printFaults(faults);
     }
+    printFaults(fixAdvice(verdicts));
     return met;
 }
 

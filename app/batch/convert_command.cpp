@@ -333,6 +333,10 @@ int convertCommand(const CommandLine &line) {
         wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));
     }
     if (wrong.empty()) {
+        const Diagnostics faults = checkElevationExpression(arguments.form.elevation);
+        wrong = faults.empty() ? std::string() : faults.front().message;
+    }
+    if (wrong.empty()) {
         wrong = checkInputs({arguments.meshes.front()}, arguments.inputFormat);
     }
     if (wrong.empty()) {

@@ -9,10 +9,29 @@
 
 namespace forefront {
 
+namespace {
+
+Result<std::vector<double>> expressionElevations(const std::string &expression, const MeshView &mesh,
+                                                 const std::optional<ElevationCalls> &calls) {
+    Result<std::vector<double>> values =
+        calls ? elevationsOf(mesh, expression, calls->spacing, calls->domain) : elevationsOf(mesh, expression);
+    if (values) {
+        return values;
+    }
+    Diagnostics faults = values.faults();
+    for (Diagnostic &fault : faults) {
+        fault.message = "--elevation: " + fault.message;
+    }
+    return faults;
+}
+
+} // namespace
+
 void addElevationOption(CLI::App &app, std::optional<std::string> &elevation) {
     app.add_option("--elevation", elevation,
                    "elevations of the nodes: an ESRI ASCII grid (.asc), a GeoTIFF raster (.tif), or an expression of x "
-                   "and y such as -5-0.01*x; "
+                   "and y such as -5-0.01*x, which in mesh may call rasters of the project and of --raster, "
+                   "-depth(x,y), as in --spacing; "
                    "depths are the same with the other sign; formats: " +
                        idsOf(&FileFormat::holdsElevations))
         ->type_name("FILE|EXPR");
@@ -27,10 +46,18 @@ std::string checkElevation(const std::optional<std::string> &elevation, const st
         if (isElevationFile(*elevation)) {
             return std::filesystem::exists(*elevation, none) ? "" : "--elevation: file " + *elevation + " not found";
         }
-        const Result<std::vector<double>> compiled = elevationsOf(TriMesh(), *elevation);
-        return compiled ? "" : "--elevation: " + compiled.faults().front().message;
+        return {};
     }
     return "--elevation: no output holds elevations; write one of the formats " + idsOf(&FileFormat::holdsElevations);
+}
+
+Diagnostics checkElevationExpression(const std::optional<std::string> &elevation,
+                                     const std::optional<ElevationCalls> &calls) {
+    if (!elevation || isElevationFile(*elevation)) {
+        return {};
+    }
+    const Result<std::vector<double>> compiled = expressionElevations(*elevation, TriMesh(), calls);
+    return compiled ? Diagnostics() : compiled.faults();
 }
 
 bool isElevationFile(const std::string &elevation) {
@@ -41,17 +68,10 @@ bool isElevationFile(const std::string &elevation) {
 }
 
 Result<std::vector<double>> readElevations(const std::string &elevation, const MeshView &mesh,
-                                           const std::string &projection, bool quiet) {
+                                           const std::string &projection, bool quiet,
+                                           const std::optional<ElevationCalls> &calls) {
     if (!isElevationFile(elevation)) {
-        Result<std::vector<double>> values = elevationsOf(mesh, elevation);
-        if (values) {
-            return values;
-        }
-        Diagnostics faults = values.faults();
-        for (Diagnostic &fault : faults) {
-            fault.message = "--elevation: " + fault.message;
-        }
-        return faults;
+        return expressionElevations(elevation, mesh, calls);
     }
     ImportNotes notes;
     ImportOptions options;

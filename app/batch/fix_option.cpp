@@ -135,7 +135,9 @@ Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, con
         verdicts = judge(*outcome);
         const std::size_t before = violations(left), after = violations(verdicts);
         best.remarks.push_back(noteOf("fixed", "--fix: " + changes + ": " + std::to_string(before) +
-                                                   " violations, then " + std::to_string(after) +
+                                                   " violations, then " + std::to_string(after) + ", " +
+                                                   std::to_string(best.outcome.mesh.elementCount()) +
+                                                   " elements, then " + std::to_string(outcome->mesh.elementCount()) +
                                                    (after < before ? "" : "; not kept"))
                                    .front());
         idle = after < before ? 0 : idle + 1;

@@ -54,7 +54,9 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
             add("--threads", "quadrilaterals are made on one thread");
         }
     }
-    if (!arguments.rasters.empty() && !job.spacing.expression) {
+    const bool mayCallRasters =
+        job.spacing.expression || (arguments.form.elevation && !isElevationFile(*arguments.form.elevation));
+    if (!arguments.rasters.empty() && !mayCallRasters) {
         add("--raster", "no expression sets the size; add --spacing EXPR or --size-preset RULE");
     }
     if (arguments.quadNodes && job.options.order == ElementOrder::First) {
@@ -107,12 +109,12 @@ Diagnostics scaleToTarget(std::uint64_t target, MeshingJob &job, const Progress 
 /// Writes the meshes in a form, and the statistics, all of them or none. Returns the errors or, if there are none,
 /// notes on what the formats changed.
 Diagnostics writeResults(const MeshArguments &arguments, const MeshForm &form, const Mesh &outcome,
-                         const RunReport &report, const Progress &progress) {
+                         const ElevationCalls &calls, const RunReport &report, const Progress &progress) {
     MeshView mesh(outcome);
     std::vector<double> elevations;
     if (arguments.form.elevation) {
         Result<std::vector<double>> read =
-            readElevations(*arguments.form.elevation, mesh, arguments.drawing.projection, arguments.quiet);
+            readElevations(*arguments.form.elevation, mesh, arguments.drawing.projection, arguments.quiet, calls);
         if (!read) {
             return read.faults();
         }
@@ -172,8 +174,9 @@ int finish(const MeshArguments &arguments, const ReadJob &read, const MeshingOut
     report.input = arguments.input.string();
     MeshForm form = withUnitOf(read.unit, arguments.form);
     form.system = read.system;
+    const ElevationCalls calls{read.job.spacing, read.job.domain};
     const Diagnostics notes =
-        bar.during({}, [&] { return writeResults(arguments, form, outcome.mesh, report, progress); });
+        bar.during({}, [&] { return writeResults(arguments, form, outcome.mesh, calls, report, progress); });
     if (hasErrors(notes)) {
         return refuse(notes, interrupt);
     }
@@ -207,6 +210,11 @@ int runMesh(const MeshArguments &arguments) {
         return refuse(faults, interrupt);
     }
     MeshingJob &job = read->job;
+    faults = checkElevationExpression(arguments.form.elevation, ElevationCalls{job.spacing, job.domain});
+    if (!faults.empty()) {
+        return hasCode(faults, "expression-syntax") ? wrongUsage("forefront mesh", faults.front().message)
+                                                    : refuse(faults, interrupt);
+    }
     const auto refuseRun = [&](const Diagnostics &why) {
         const Repaired *const repaired = read->repaired ? &*read->repaired : nullptr;
         const Diagnostics wrong = meshingFaults(why, job.domain, files->input, repaired);

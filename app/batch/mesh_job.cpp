@@ -102,6 +102,8 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
         if (!fromFile) {
             return fromFile.faults();
         }
+        fromFile->names = spacing.names; // which the elevations may still call, with the rasters
+        fromFile->rasters = spacing.rasters;
         spacing.replaceRules(std::move(*fromFile));
     }
     if (arguments.gradation) {

@@ -254,15 +254,20 @@ class ScriptRun {
             return form.faults();
         }
         form->system = system_;
+        const MeshingJob job = jobOf(player_.document());
+        const ElevationCalls calls{job.spacing, job.domain};
         if (std::string wrong = checkOpen(*form, outputs) + checkElevation(form->elevation, outputs); !wrong.empty()) {
             return error("bad-value", std::move(wrong));
+        }
+        if (Status faults = checkElevationExpression(form->elevation, calls); !faults.empty()) {
+            return faults;
         }
         MeshView mesh(meshed_->mesh);
         if (Status faults = checkOpenNames(*form, mesh); !faults.empty()) {
             return faults;
         }
         const Result<std::vector<double>> elevations =
-            form->elevation ? readElevations(*form->elevation, mesh, projection_, arguments_.quiet)
+            form->elevation ? readElevations(*form->elevation, mesh, projection_, arguments_.quiet, calls)
                             : Result<std::vector<double>>(std::vector<double>());
         if (!elevations) {
             return elevations.faults();

@@ -1,6 +1,7 @@
 #include "core/files/elevations.hpp"
 
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/domain/lazy_faces.hpp"
 #include "core/engine/spacing/parts/expression/expression.hpp"
 #include "core/files/files.hpp"
 #include "core/files/read_file.hpp"
@@ -33,6 +34,15 @@ Result<std::vector<double>> complete(const MeshView &mesh, std::vector<double> v
     return faults;
 }
 
+Result<std::vector<double>> evaluated(const MeshView &mesh, const Result<ExpressionProgram> &program) {
+    if (!program) {
+        return program.faults();
+    }
+    std::vector<double> values(mesh.nodes.size());
+    program->evaluateMany(mesh.nodes, values);
+    return complete(mesh, std::move(values), "the expression is not finite there");
+}
+
 } // namespace
 
 Result<Raster> readRaster(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
@@ -51,13 +61,20 @@ Result<std::vector<double>> elevationsOf(const MeshView &mesh, const Raster &ras
 }
 
 Result<std::vector<double>> elevationsOf(const MeshView &mesh, const std::string &expression) {
-    const Result<ExpressionProgram> program = compileExpression(expression);
-    if (!program) {
-        return program.faults();
+    return evaluated(mesh, compileExpression(expression));
+}
+
+Result<std::vector<double>> elevationsOf(const MeshView &mesh, const std::string &expression,
+                                         const SpacingSpec &spacing, const Domain &domain) {
+    const Result<ExpressionProgram> program = compileSpacingExpression(expression, spacing, &domain);
+    const LazyFaces faces(domain);
+    for (std::size_t k = 0; program && k < program->functions().size(); ++k) {
+        // Else it would take values from afar.
+        if (Diagnostics gaps = program->functions()[k]->gaps(domain, faces.inside()); !gaps.empty()) {
+            return gaps;
+        }
     }
-    std::vector<double> values(mesh.nodes.size());
-    program->evaluateMany(mesh.nodes, values);
-    return complete(mesh, std::move(values), "the expression is not finite there");
+    return evaluated(mesh, program);
 }
 
 void addMiddleElevations(const MeshView &mesh, std::vector<double> &elevations) {

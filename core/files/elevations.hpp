@@ -2,8 +2,10 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/result.hpp"
+#include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/spacing/spec/raster.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
 #include "core/files/source/import_notes.hpp"
 #include "core/files/source/import_options.hpp"
 
@@ -23,6 +25,11 @@ Result<Raster> readRaster(const std::filesystem::path &path, const ImportOptions
 Result<std::vector<double>> elevationsOf(const MeshView &mesh, const Raster &raster);
 /// Does the same with an expression in x and y. Faults also: expression-syntax, with `column`.
 Result<std::vector<double>> elevationsOf(const MeshView &mesh, const std::string &expression);
+/// Does the same with an expression that may also call what the expression of a spacing may: its names and rasters, and
+/// the distance to the shore of the domain; see SpacingFunctions. Faults also: raster-gap, where a raster that is
+/// called has no value in or near a part of the domain.
+Result<std::vector<double>> elevationsOf(const MeshView &mesh, const std::string &expression,
+                                         const SpacingSpec &spacing, const Domain &domain);
 
 /// Completes the elevations of the first nodes of a mesh: nodes in the middles of edges and elements that follow get
 /// the mean of the corners around them.

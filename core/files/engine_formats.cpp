@@ -427,7 +427,8 @@ constexpr std::array kFormats = {
                      .holdsElevations = true,
                      .keeps = "Keeps elements as faces with the number of their region; boundary and points are left "
                               "out. Cannot be read back."},
-           .writeMesh = writePly},
+           .writeMesh = writePly,
+           .noteChanges = noteFlatSurface},
     Format{.about = {.id = "stl",
                      .name = "Stereolithography STL",
                      .extension = ".stl",
@@ -446,7 +447,8 @@ constexpr std::array kFormats = {
                      .holdsElevations = true,
                      .keeps = "Keeps elements as faces; regions, boundary and points are left out. Cannot be read "
                               "back."},
-           .writeMesh = writeOff},
+           .writeMesh = writeOff,
+           .noteChanges = noteFlatSurface},
     Format{.about = {.id = "esri",
                      .name = "ESRI ASCII grid",
                      .extension = ".asc",

@@ -404,13 +404,20 @@ class Meshing(Case):
     def test_fix_changes_settings_until_limits_are_met(self):
         options = ["plate.poly", "-o", "a.msh", "--spacing", "max(0.05,0.6*hypot(x,y))", "--gradation", "0.6"]
         limits = ["--limit", "max-growth=2.2"]
-        worse = self.call("mesh", *options, *limits).stderr
-        self.assertRegex(worse, r"warning: the mesh violates a limit: .*violated by \d+ of ")
-        self.call("check", "a.msh", "--max-growth", "2.2", code=1)
-        fixed = self.call("mesh", *options, *limits, "--fix").stderr
+        worse = self.call("mesh", *options, *limits)
+        self.assertRegex(worse.stderr, r"warning: the mesh violates a limit: .*violated by \d+ of ")
+        few = re.search(r", (\d+) elements", worse.stdout)[1]
+        checked = self.call("check", "a.msh", "--max-growth", "2.2", "--max-valence", "20", code=1).stderr
+        self.assertIn("add to it: --limit max-growth=2.2 --limit max-valence=20 --fix", checked)
+        self.assertNotIn("add to it", self.call("check", "a.msh", "--min-island-area", "2", code=1).stderr)
+        done = self.call("mesh", *options, *limits, "--fix")
+        fixed = done.stderr
         self.assertRegex(fixed, r"note: --fix: gradation 0.6 → 0.\d+.*: \d+ violations, then \d+")
-        before, after = (int(n) for n in re.search(r": (\d+) violations, then (\d+) \[fixed\]", fixed).groups())
+        before, after = (int(n) for n in re.search(r": (\d+) violations, then (\d+), ", fixed).groups())
         self.assertLess(after, before)
+        self.assertIn(f", {few} elements, then ", fixed)
+        many = re.findall(r"elements, then (\d+) \[fixed\]", fixed)[-1]  # of the last round that was kept
+        self.assertIn(f", {many} elements", done.stdout)
         self.assertEqual("violates a limit" in fixed, "--fix cannot mend" in fixed)
         island = self.call("mesh", *options[:3], "--limit", "min-island-area=2", "--fix").stderr
         self.assertIn("remove the small ones from the drawing", island)
@@ -604,6 +611,8 @@ class Meshing(Case):
             hashes.add(re.search(r"hash (\S+)", self.call("check", "lake.msh").stdout)[1])
             (self.assertGreater if word == "creation" else self.assertLessEqual)(self.msh_bandwidth("lake.msh"), 60)
         self.assertEqual(len(hashes), 1)
+        self.call("mesh", lake.with_name("plate.json"), "-o", "large.msh", "--size", "0.5", "-q")  # of 87,150 nodes
+        self.assertLessEqual(self.msh_bandwidth("large.msh"), 400)
         # Triangle's readers expect the nodes of the input first; convert keeps the numbers that it reads.
         first = lambda name: [tuple(map(float, row.split()[1:3])) for row in self.read(name).split("\n")[1:9]]
         self.call("mesh", "plate.poly", "-o", "plate.node", "--size", "0.2")
@@ -1509,7 +1518,8 @@ class Refusing(Case):
         broken = self.call("check", "plate.msh", "--min-angle", "59.9", "--min-alpha", "0.1", code=1)
         self.assertRegex(broken.stdout, r"\nminimum angle 59.9°: violated by \d+ of \d+ elements, worst [\d.]+° at \(")
         self.assertIn("\nminimum α 0.1: met", broken.stdout)
-        places = broken.stderr.splitlines()
+        *places, advice = broken.stderr.splitlines()
+        self.assertIn("--limit min-angle=59.9 --limit min-alpha=0.1 --fix", advice)
         self.assertEqual(len(places), 5)
         for place in places:
             self.assertRegex(place, r"^plate.msh: error: element \d+: min ∠ [\d.]+° violates the limit 59.9° at \(.*"
@@ -2264,10 +2274,30 @@ class Convert(Case):
         self.assertIn("bed.asc: error: no elevation at 3 nodes of 5", refused)
         self.assertIn("at (2, 0) [no-elevation]", refused)
         self.assertFalse((self.path / "e.2dm").exists())
-        for wrong, words in (("1/(", "unexpected end"), ("none.asc", "file none.asc not found")):
+        for wrong, words in (("1/(", "unexpected end"), ("none.asc", "file none.asc not found"),
+                             ("-depth(x,y)", "unknown name 'depth'")):
             self.assertIn(words, self.call("mesh", "plate.poly", "-o", "f.2dm", "--elevation", wrong, code=2).stderr)
         self.assertIn("no output holds elevations",
                       self.call("convert", "cells.msh", "-o", "f.su2", "--elevation", "1", code=2).stderr)
+
+    def test_elevations_call_the_rasters_of_the_project_and_of_the_command(self):
+        bay = pathlib.Path(__file__).parents[2] / "assets" / "samples" / "bay.json"
+        self.call("mesh", bay, "-o", "bay.2dm", "--elevation", "-depth(x,y)", "-q")
+        self.assertLess(max(float(line.split()[4]) for line in self.read("bay.2dm").splitlines() if line.startswith("ND ")), 0)
+        self.write("bed.asc", "ncols 2\nnrows 2\nxllcorner -5\nyllcorner -5\ncellsize 30\n-1 -3\n-1 -3\n")
+        done = self.call("mesh", "plate.poly", "-o", "p.14", "--raster", "bed=bed.asc", "--elevation", "2*bed(x,y)")
+        self.assertNotIn("no effect", done.stderr)
+        self.assertLess(0, min(float(line.split()[3]) for line in self.read("p.14").splitlines()[2:6]))
+        self.write("bed.asc", "ncols 2\nnrows 2\nxllcorner -5\nyllcorner -5\ncellsize 1\n-1 -3\n-1 -3\n")
+        self.assertIn("--elevation: the raster 'bed' has no value in or near a part of the domain",
+                      self.call("mesh", "plate.poly", "-o", "q.14", "--raster", "bed=bed.asc", "--elevation", "bed(x,y)",
+                                code=1).stderr)
+        self.write("run.jsonl", '{"command": "open", "file": "%s"}\n{"command": "mesh"}\n'
+                   '{"command": "export", "file": "s.2dm", "elevation": "-depth(x,y)"}\n' % bay)
+        self.call("run", "run.jsonl", "-q")
+        self.assertEqual(self.read("s.2dm"), self.read("bay.2dm"))
+        self.assertIn("unknown name 'depth'", self.call("convert", "bay.2dm", "-o", "c.2dm", "--elevation", "-depth(x,y)",
+                                                        code=2).stderr)
 
     def test_values_are_left_out_with_a_note(self):
         self.write("flux.msh", self.CELLS + "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n1\n3 1.5\n$EndElementData\n"

@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # keeps the source tree clean
+from check_cells import Cells
 from common import Samples, near, same
 from foam_case import FoamMesh, read_temperatures, write_heat_case
 
@@ -40,6 +41,17 @@ def check_parts(sample):
         same(len(mesh.cell_zones[name]), part["count"], f"cells of {name}")
 
 
+def check_kinds(cells):
+    """Prisms beside hexahedra: the patches and cell zones of the parts, and the volume by the area and the height."""
+    mesh = check_mesh(cells.files["openfoam"], {})
+    corners = [len(nodes) for *_, nodes in cells.elements()]
+    assert {3, 4} == set(corners), "the sample must have both kinds"
+    same(mesh.cells, len(corners), "cells")
+    caps = [len(mesh.faces[face]) for face in mesh.patches["frontAndBack"][1]]
+    same(sorted(caps), sorted(2 * corners), "corners of the faces in front and at the back")
+    near(sum(mesh.volumes()), cells.area() * max(p[2] for p in mesh.points))
+
+
 def check_heat(sample, layers, program):
     """T = 0 on the left and 10 on the right of a strip of length 10: T = x."""
     case = sample.files["openfoam"]
@@ -63,6 +75,7 @@ def main():
     samples = Samples(program)
     checks = [("checkMesh: Mesh OK, patches and cell zones", lambda: check_parts(samples["sample"])),
               ("checkMesh: twin names", lambda: check_mesh(samples["twins"].files["openfoam"], {})),
+              ("checkMesh: prisms and hexahedra", lambda: check_kinds(Cells(samples.folder, "mixed"))),
               ("laplacianFoam: T = x to 1e-6, one layer", lambda: check_heat(samples["strip"], 1, program)),
               ("laplacianFoam: T = x to 1e-6, three layers", lambda: check_heat(samples["strip"], 3, program))]
     lines, passed = samples.run(checks)

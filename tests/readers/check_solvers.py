@@ -285,6 +285,15 @@ def check_faces(mesh, file, form):
     same(coarse(faces), coarse(nodes for *_, nodes in mesh.elements()), "faces")
 
 
+def check_off_meshio(mesh, file):
+    """meshio reads OFF of triangles alone."""
+    read = meshio.read(file, file_format="off")
+    same(len(read.points), len(mesh.nodes), "nodes")
+    same(set(read.points[:, 2]), {0.0}, "z")
+    cells = [("triangle3", 0, tuple(rounded(read.points[n]) for n in row)) for block in read.cells for row in block.data]
+    compare_cells(cells, mesh.elements(), tags=False)
+
+
 def checks(samples, program):
     """(name, function) pairs for the meshes of export_sample."""
     folder, result = samples.folder, []
@@ -306,6 +315,7 @@ def checks(samples, program):
         add(f"{form} of mixed", check_faces, mixed, mixed.files[form], form)
     for form in ("ply", "stl", "off"):
         add(f"{form} of flat3", check_faces, Cells(folder, "flat3"), Cells(folder, "flat3").files[form], form)
+    add("OFF of flat3 by meshio", check_off_meshio, Cells(folder, "flat3"), Cells(folder, "flat3").files["off"])
     for name in ("mixed", "curved6", "curved8", "curved9", "kinds"):
         mesh = Cells(folder, name)
         if "unv" in mesh.files:

@@ -31,7 +31,7 @@ READ_BY = {
     "unv": ("Gmsh; groups by own parser", CHECK),
     "nastran": ("Gmsh, meshio", CHECK),
     "openfoam": ("checkMesh and laplacianFoam of OpenFOAM", "check_openfoam.py"),
-    "2dm": ("QGIS (MDAL); own parser", f"{CHECK}; check_qgis.py"),
+    "2dm": ("QGIS (MDAL), whose release 3.22 refuses quadrilaterals of 8 and 9 nodes; own parser", f"{CHECK}; check_qgis.py"),
     "adcirc": ("own parser: ADCIRC is not in Debian", CHECK),
     "gr3": ("own parser: SCHISM is not in Debian", CHECK),
     "selafin": ("QGIS (MDAL); own parser", f"{CHECK}; check_qgis.py"),
@@ -42,7 +42,7 @@ READ_BY = {
     "obj": ("VTK", CHECK),
     "ply": ("VTK", CHECK),
     "stl": ("VTK", CHECK),
-    "off": ("own parser", CHECK),
+    "off": ("meshio, triangles alone; own parser", CHECK),
 }
 KINDS = {"triangle3": "triangles", "triangle6": "triangles of 6 nodes", "quadrilateral4": "quadrilaterals",
          "quadrilateral8": "quadrilaterals of 8 nodes", "quadrilateral9": "quadrilaterals of 9 nodes"}
@@ -66,7 +66,12 @@ sh tests/readers/heavy_readers.sh build/release/tests/forefront_export_sample
 ```
 
 QGIS 3.22 reads XDMF only as values of a mesh that another file holds, a time series of values of elements; `check_qgis.py` shows that
-our files are refused as a mesh and as values. For QGIS, write 2DM, UGRID or SELAFIN.
+our files are refused as a mesh and as values. For QGIS, write 2DM, UGRID or SELAFIN. Of 2DM it reads triangles of 3 and,
+as polygons, of 6 nodes, and quadrilaterals of 4; it does not recognise a file with quadrilaterals of 8 or 9 nodes, which the same script shows.
+[The sample Bay with its depths](../../tests/readers/bay_by_qgis.png), a UGRID file, as QGIS draws it.
+
+MFEM holds second order, too: as a grid function `nodes`, whose values follow the numbers that MFEM itself gives the edges. It is not
+written and not read, since no program in Debian could check that these numbers are the same as ours.
 
 The last results of those that need large packages lie beside them: [`xdmf.txt`](../../tests/readers/xdmf.txt),
 [`openfoam.txt`](../../tests/readers/openfoam.txt), [`qgis.txt`](../../tests/readers/qgis.txt) and

@@ -1,15 +1,20 @@
 #include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
 #include "core/files/hydro/hydro.hpp"
+#include "tests/support/domain_builder.hpp"
 #include "tests/unit/block_samples.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 using namespace forefront;
@@ -76,12 +81,39 @@ TEST_CASE("Elevations: of a raster file and of an expression, and places without
     CHECK(hasCode(elevationsOf(mesh, "1/x").faults(), "no-elevation"));
 }
 
+TEST_CASE("Elevations: an expression calls the rasters, the names and the shore of a job") {
+    const TriMesh mesh = samples::square(2, 2);
+    const Domain domain = squareDomain(1.0);
+    SpacingSpec spacing;
+    spacing.names = {{"tide", 0.5}};
+    spacing.rasters["depth"] =
+        std::make_shared<const Raster>(Raster{{0.0, 0.0}, {1.0, 1.0}, 2, 2, {1.0, 3.0, 1.0, 3.0}});
+    const Result<std::vector<double>> values = elevationsOf(mesh, "tide - depth(x,y) + shore(x,y)", spacing, domain);
+    REQUIRE(values);
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        const Vec2 p = mesh.nodes[n];
+        const double shore = std::min({p.x, p.y, 1.0 - p.x, 1.0 - p.y});
+        CHECK((*values)[n] == doctest::Approx(0.5 - (1.0 + 2.0 * p.x) + shore));
+    }
+    CHECK(hasCode(elevationsOf(mesh, "-depth(x,y)").faults(), "expression-syntax"));
+    CHECK(hasCode(elevationsOf(mesh, "-deep(x,y)", spacing, domain).faults(), "expression-syntax"));
+    spacing.rasters["depth"] =
+        std::make_shared<const Raster>(Raster{{0.0, 0.0}, {0.1, 0.1}, 2, 2, {1.0, 3.0, 1.0, 3.0}});
+    const Result<std::vector<double>> far = elevationsOf(mesh, "-depth(x,y)", spacing, domain);
+    REQUIRE_FALSE(far.ok());
+    CHECK(hasCode(far.faults(), "raster-gap"));
+    CHECK(elevationsOf(mesh, "-x", spacing, domain)); // which does not call it
+}
+
 TEST_CASE("Elevations: the formats hold them, read them back, or note that they leave them out") {
     const TemporaryFolder folder;
     const TriMesh mesh = twoRegionMesh();
     MeshView view(mesh);
     const std::vector<double> elevations = *elevationsOf(mesh, "0.5 - x");
     view.elevations = elevations;
+    // Files that have a z of each node, or that their program cannot run without one.
+    const std::set<std::string_view> alwaysInSpace = {"2dm",  "adcirc", "gr3", "selafin", "ugrid",
+                                                      "mike", "anuga",  "ply", "stl",     "off"};
     std::size_t readers = 0;
     for (const FileFormat &format : engineFormats().list()) {
         if (!format.writesMesh) {
@@ -92,6 +124,8 @@ TEST_CASE("Elevations: the formats hold them, read them back, or note that they 
         REQUIRE(writeMesh(path, view, format.id).empty());
         CHECK(hasCode(exportNotes(path, view, format.id), "elevation-left-out") == !format.holdsElevations);
         CHECK_FALSE(hasCode(exportNotes(path, view, format.id), "no-elevation"));
+        const Diagnostics flat = exportNotes(path, mesh, format.id);
+        CHECK((hasCode(flat, "no-elevation") || hasCode(flat, "no-depth")) == alwaysInSpace.contains(format.id));
         if (format.holdsElevations && format.readsFields) {
             ++readers;
             const Result<MeshFields> back = engineFormats().readFields(path);

@@ -79,7 +79,14 @@ void writeAnuga(const MeshView &mesh, TextWriter &out) {
 Diagnostics noteAnugaChanges(const MeshView &mesh) {
     TagList tags = tagsOf(mesh);
     tags.points.clear();
-    return noteChangedNames(tags, anugaNames(tags));
+    Diagnostics notes = noteChangedNames(tags, anugaNames(tags));
+    if (mesh.elevations.empty()) {
+        Diagnostic &note = notes.emplace_back();
+        note.severity = Severity::Note;
+        note.code = "no-elevation";
+        note.message = "no elevations are written: the mesh has none";
+    }
+    return notes;
 }
 
 } // namespace forefront

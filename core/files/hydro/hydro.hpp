@@ -25,7 +25,7 @@ Result<MeshFields> readHydroFields(const SourceText &source);
 void writeMike(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
 /// Writes a mesh of ANUGA (.tsh).
 void writeAnuga(const MeshView &mesh, TextWriter &out);
-/// Returns a note on the names that are changed to identifiers.
+/// Returns notes on the names that are changed to identifiers, and that there are no elevations if the mesh has none.
 Diagnostics noteAnugaChanges(const MeshView &mesh);
 /// Returns a note that all depths are 0, if the mesh has no elevations.
 Diagnostics noteDepths(const MeshView &mesh);

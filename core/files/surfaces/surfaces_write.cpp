@@ -85,9 +85,23 @@ void writeStl(const MeshView &mesh, TextWriter &out) {
     }
 }
 
+Diagnostics noteFlatSurface(const MeshView &mesh) {
+    if (!mesh.elevations.empty()) {
+        return {};
+    }
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = "no-elevation";
+    note.message = "z is 0 at all nodes: the mesh has no elevations";
+    return {note};
+}
+
 Diagnostics noteStlChanges(const MeshView &mesh) {
     const TagList tags = tagsOf(mesh);
-    return noteChangedNames(tags, solidsOf(tags));
+    Diagnostics notes = noteChangedNames(tags, solidsOf(tags));
+    const Diagnostics flat = noteFlatSurface(mesh);
+    notes.insert(notes.end(), flat.begin(), flat.end());
+    return notes;
 }
 
 } // namespace forefront
