@@ -141,8 +141,7 @@ std::vector<TaggedEdge> edgesLikeAnOutline(const MeshView &mesh, const Input &do
 Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckArguments &arguments, Input &input) {
     // The parts of grids of water are open, land and islands, not those of the domain.
     const bool kinds = hasOpenBoundaries(arguments.mesh, arguments.inputFormat);
-    const std::vector<TaggedEdge> edges =
-        kinds ? std::vector<TaggedEdge>() : edgesLikeAnOutline(mesh, input);
+    const std::vector<TaggedEdge> edges = kinds ? std::vector<TaggedEdge>() : edgesLikeAnOutline(mesh, input);
     mesh.edges = edges;
     arguments.drawing.applyTo(input.options);
     input.options.keepSharedLines = arguments.repair;
