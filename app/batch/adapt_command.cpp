@@ -16,6 +16,7 @@
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -228,6 +229,13 @@ int runAdapt(const AdaptArguments &arguments) {
                            "sets the meshing options"));
     }
     interrupt.deferToStop();
+    const auto isPlain = [](const CellBlock &block) { return block.size() == 0 || block.traits().nodes == 3; };
+    if (!std::ranges::all_of(input->mesh.blocks, isPlain) && !arguments.quiet) {
+        printFaults(noteOf("triangles-alone",
+                           "the new mesh has triangles of first order alone: adapting makes no quadrilaterals and no "
+                           "elements of second order",
+                           {}, Severity::Warning));
+    }
     TriMesh triangles = takeTriangulated(std::move(input->mesh)).mesh; // the error is estimated on triangles
     const Result<TriMesh> mesh = arguments.field
                                      ? adaptToField(arguments, *job, triangles, input->values, progress, bar)

@@ -172,7 +172,7 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
     Diagnostics wrongStrips = applyStrips(arguments.strips, domain, file->strips);
     if (wrongStrips.empty()) {
         PlacedSizes &placed = file->spacing.placed;
-        wrongStrips = widenStrips(file->strips, file->cracks, file->periodic, domain, placed.elements, placed.biases);
+        wrongStrips = widenStrips(file->strips, file->cracks, {}, domain, placed.elements, placed.biases);
     }
     if (!wrongStrips.empty()) {
         return allFormats().locateFaults(input.path, wrongStrips, input.options);

@@ -1,11 +1,12 @@
 #include "app/batch/coast_notes.hpp"
 
+#include "app/batch/option_notes.hpp"
 #include "app/batch/output_formats.hpp"
 #include "core/engine/spacing/spec/size_presets.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <utility>
 
 namespace forefront {
 
@@ -15,9 +16,7 @@ namespace {
 constexpr std::size_t kDryPercent = 90;
 
 Diagnostics warning(const char *code, std::string message, std::string advice) {
-    Diagnostics faults = error(code, std::move(message), std::move(advice));
-    faults.front().severity = Severity::Warning;
-    return faults;
+    return noteOf(code, std::move(message), std::move(advice), Severity::Warning);
 }
 
 } // namespace

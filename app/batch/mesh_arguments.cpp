@@ -47,11 +47,13 @@ Examples:
   forefront mesh cell.json -o cell.msh --periodic left:right --periodic bottom:top
         nodes on the right side that are images of those on the left, and pairs of them in the file
   forefront mesh dam.json -o dam.inp --crack joint
-  forefront mesh dam.json -o dam.inp --strip joint:width=0.2,rows=2
         double nodes along the inner line joint, whose faces become the boundary parts joint and joint_right
+  forefront mesh dam.json -o dam.inp --strip joint:width=0.2,rows=2
+        two rows of quadrilaterals along the inner line joint, in a strip of width 0.2
   forefront mesh pipe.json -o pipe.msh --elements quads --mapped wall
-  forefront mesh dam.json -o dam.inp --elements mixed --elements triangles:soil
         rows of quadrilaterals in the region wall
+  forefront mesh dam.json -o dam.inp --elements mixed --elements triangles:soil
+        triangles in the region soil, quadrilaterals where they are well shaped elsewhere
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
   forefront mesh part.dxf -o part.inp --size 2

@@ -144,6 +144,8 @@ forefront_status forefront_read_domain(forefront_context *context, forefront_job
         to.periodic = job->periodicOfMesh = std::move(file->periodic);
         to.mapped = std::move(file->mapped);
         to.strips = std::move(file->strips);
+        to.layers = std::move(file->layers);
+        to.regionElements = std::move(file->regionElements);
         return FOREFRONT_OK;
     });
 }

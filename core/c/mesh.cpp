@@ -109,7 +109,7 @@ forefront_status forefront_check_mesh(forefront_context *context, const forefron
         forefront::Domain domain = given.domain;
         std::vector<std::uint32_t> elements = given.spacing.placed.elements;
         std::vector<forefront::ElementBias> biases = given.spacing.placed.biases;
-        if (const auto faults = widenStrips(given.strips, given.cracks, given.periodic, domain, elements, biases);
+        if (const auto faults = widenStrips(given.strips, given.cracks, {}, domain, elements, biases);
             !faults.empty()) {
             return report(*context, faults);
         }

@@ -236,7 +236,7 @@ TEST_CASE("Mapped faces: numbers that cannot be equal end with a message, in a p
         domain.segments.push_back({k, 6 + k, 3, SegmentRole::Constraint, {}});
     }
     job.spacing.size = 0.4;
-    CHECK(codeOf(job).empty());
+    CHECK(refusalOf(job).empty());
     job.mapped = {{1}};
     const Result<MeshingOutcome> outcome = meshDomain(job);
     REQUIRE_FALSE(outcome);
@@ -276,7 +276,7 @@ TEST_CASE("Mapped faces: corners are kept where nodes are inserted into their si
     mappedJob.spacing.size = 0.25;
     mappedJob.options.elements = Elements::Quads;
     mappedJob.options.verify = true;
-    const Mesh mesh = meshed(mappedJob).mesh;
+    const Mesh mesh = meshedJob(mappedJob).mesh;
     CHECK(kindsOf(mesh, 1).size() == 1);
     CHECK(mesh.elementCount() % 4 == 0);
 }

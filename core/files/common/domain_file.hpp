@@ -5,6 +5,8 @@
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/domain/mapped_spec.hpp"
 #include "core/engine/domain/periodic.hpp"
+#include "core/engine/layers/layer_spec.hpp"
+#include "core/engine/mesher/options.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 #include "core/engine/strips/strip_spec.hpp"
 
@@ -23,6 +25,8 @@ struct DomainFile {
     std::vector<PeriodicSpec> periodic{}; ///< parts that are divided alike; see MeshingJob::periodic
     std::vector<MappedSpec> mapped{};     ///< regions filled by rows of elements; see MeshingJob::mapped
     std::vector<StripSpec> strips{};      ///< inner lines with a width; see MeshingJob::strips
+    std::vector<LayerSpec> layers{};      ///< boundary layers; see MeshingJob::layers
+    std::vector<RegionElements> regionElements{}; ///< see MeshingJob::regionElements
 };
 
 } // namespace forefront
