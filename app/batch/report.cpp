@@ -144,13 +144,18 @@ Diagnostics notConvex(const QuadReport &quads) {
     if (quads.notConvex == 0) {
         return {};
     }
+    constexpr std::size_t kShown = 5;
+    std::string places;
+    for (std::size_t i = 0; i < std::min(quads.notConvexAt.size(), kShown); ++i) {
+        places += (i == 0 ? ": at " : ", ") + placeText(quads.notConvexAt[i]);
+    }
     Diagnostics found =
         error("concave-element",
               std::to_string(quads.notConvex) + (quads.notConvex == 1 ? " quadrilateral has" : " quadrilaterals have") +
-                  " a corner of 180 degrees or more, where the domain is sharp or narrow",
+                  " a corner of 180 degrees or more, where the domain is sharp or narrow" + places +
+                  (quads.notConvex > kShown ? " and more; --stats lists all" : ""),
               "choose smaller elements there, or divide them with --elements mixed");
     found.front().severity = Severity::Warning;
-    found.front().at = quads.firstNotConvex;
     return found;
 }
 
@@ -283,6 +288,11 @@ void addQuads(const QuadReport &quads, JsonWriter &json) {
     json.member("not_convex", quads.notConvex)
         .member("changes", quads.changes)
         .member("triangles_left", quads.triangles);
+    json.key("not_convex_at").beginArray();
+    for (const Vec2 place : quads.notConvexAt) {
+        json.beginObject().member("x", place.x).member("y", place.y).endObject();
+    }
+    json.endArray();
     json.member("irregular_nodes", quads.irregularNodes).member("interior_nodes", quads.innerNodes);
     json.endObject();
 }

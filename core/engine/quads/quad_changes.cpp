@@ -43,8 +43,7 @@ class ChangeFinder {
                 }
             }
             if (tooMany) {
-                rotate(node_, a);
-                rotate(b, node_);
+                rotate(node_, a); // the element on the other side of the edge to b has that one
             }
         }
         if (!mesh_.isFixed(node_)) {

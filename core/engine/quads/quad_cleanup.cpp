@@ -17,13 +17,18 @@ constexpr double kLeastLoss = 0.15;  ///< of the worst corner
 constexpr double kPoor = 0.7;        ///< scaled Jacobian below which an element loses more
 constexpr double kPoorLoss = 2.0;
 constexpr double kFlat = 0.05; ///< scaled Jacobian below which an element counts as flat
-constexpr double kFlatLoss = 5.0, kCuringLoss = 100.0;
+constexpr double kFlatLoss = 5.0;
+// While curing: an element that is not convex loses more than the few convex ones that can take its place, each of
+// which loses less than kCuringLoss, however sharp a given corner makes them.
+constexpr double kCuringLoss = 100.0, kNotConvexLoss = 400.0;
+constexpr double kConvex = 1e-6; ///< minimum scaled Jacobian of an element that counts as convex
 // The loss of a node whose valence is off by one, and for each further element.
 constexpr double kValenceLoss = 0.1, kMoreValenceLoss = 0.25;
 constexpr double kDoubletLoss = 1.0;
 constexpr double kFlatCornerLoss = 2.0; ///< of a straight angle that is one element's corner
 
 constexpr double kMinGain = 1e-3;      ///< of a change
+constexpr double kMinCuringGain = 5.0; ///< more than a change gains that leaves the flat element as it is
 constexpr unsigned kRegionRings = 2;   ///< elements around a change that are smoothed and compared
 constexpr std::size_t kMaxTrials = 12; ///< per node and pass
 constexpr double kSpring = 0.5;
@@ -54,7 +59,9 @@ double QuadCleanup::elementLoss(const QuadCell &cell) const {
     }
     double poor = std::max(0.0, kPoor - least) * kPoorLoss;
     if (least < kFlat) {
-        poor += curing_ ? kCuringLoss * (1.0 + kFlat - least) : kFlatLoss;
+        poor += !curing_          ? kFlatLoss
+                : least < kConvex ? kNotConvexLoss - kCuringLoss * least
+                                  : kCuringLoss * (1.0 - least / kFlat);
     }
     return (shape + kSizeLoss * size) / n + kLeastLoss * (1.0 - least) + poor;
 }
@@ -177,11 +184,17 @@ void QuadCleanup::unmake(const QuadChange &change) {
     }
 }
 
+/// Makes room for the records of all nodes. New ones count as changed since they were last tried, whoever comes first.
+void QuadCleanup::growRecords() {
+    triedAt_.resize(mesh_.nodes.size(), 0);
+    changedAt_.resize(mesh_.nodes.size(), 1);
+}
+
 /// Keeps a change: the node and the elements that it has left over can be used again.
 void QuadCleanup::settle(const QuadChange &change) {
     ++changes_;
     ++clock_;
-    changedAt_.resize(std::max(changedAt_.size(), mesh_.nodes.size()), 0);
+    growRecords();
     for (const std::uint32_t node : regionNodes_) {
         changedAt_[node] = clock_;
         if (node != change.killed && mesh_.isIrregular(node)) {
@@ -215,7 +228,7 @@ bool QuadCleanup::attempt(const QuadChange &change) {
             polishNode(mesh_, node, kCuredShape);
         }
     }
-    if (regionLoss() < before - kMinGain) {
+    if (regionLoss() < before - (curing_ ? kMinCuringGain : kMinGain)) {
         settle(change);
         return true;
     }
@@ -225,8 +238,7 @@ bool QuadCleanup::attempt(const QuadChange &change) {
 
 /// Tries the changes around an irregular node. Returns true if one was kept.
 bool QuadCleanup::treat(std::uint32_t node) {
-    triedAt_.resize(std::max(triedAt_.size(), mesh_.nodes.size()), 0);
-    changedAt_.resize(std::max(changedAt_.size(), mesh_.nodes.size()), 1);
+    growRecords();
     if (triedAt_[node] >= changedAt_[node] || mesh_.valence(node) == 0 || !mesh_.isIrregular(node)) {
         return false;
     }
@@ -283,8 +295,8 @@ bool QuadCleanup::cure(std::uint32_t cell) {
     for (unsigned k = 0; k < cornersOf(corners); ++k) {
         found_.clear();
         findChanges(mesh_, corners[k], true, found_);
-        for (std::size_t i = 0; i < std::min(found_.size(), kMaxTrials); ++i) {
-            if (attempt(found_[i])) {
+        for (const QuadChange &change : found_) { // all of them: the one that helps may be the least regular
+            if (attempt(change)) {
                 return true;
             }
         }

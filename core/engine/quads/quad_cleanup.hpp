@@ -14,7 +14,7 @@ namespace forefront {
 struct QuadEffort {
     unsigned passes = 2;      ///< over the irregular nodes, at most
     unsigned firstSweeps = 3; ///< smoothing before the first pass
-    unsigned sweeps = 1;      ///< smoothing between passes
+    unsigned sweeps = 3;      ///< smoothing between passes
     unsigned lastSweeps = 2;  ///< guarded smoothing at the end
     unsigned trialSweeps = 2; ///< smoothing of the surroundings in each trial
     bool generous = false;    ///< try changes that make more nodes irregular at first
@@ -39,6 +39,7 @@ class QuadCleanup {
     void gatherRegion(const QuadChange &change);
     void make(const QuadChange &change);
     void unmake(const QuadChange &change);
+    void growRecords();
     void settle(const QuadChange &change);
     double regionLoss() const;
     double elementLoss(const QuadCell &cell) const;

@@ -27,7 +27,7 @@ constexpr double kGoodEnough = 0.02;
 constexpr double kDivideBelow = 0.35;
 
 QuadEffort effortFor(ImproveLevel level) {
-    return level == ImproveLevel::Best ? QuadEffort{4, 4, 2, 6, 4, true} : QuadEffort{};
+    return level == ImproveLevel::Best ? QuadEffort{4, 4, 4, 6, 4, true} : QuadEffort{};
 }
 
 /// Joins the triangles of a finished front.
@@ -155,18 +155,18 @@ void dividePoor(QuadWorkspace &mesh) {
     }
 }
 
-/// Counts the quadrilaterals with a flat or reflex corner, within rounding.
-void countNotConvex(const QuadWorkspace &mesh, QuadReport &report) {
-    report.notConvex = 0;
+/// Lists the quadrilaterals with a flat or reflex corner, within rounding.
+void listNotConvex(const QuadWorkspace &mesh, QuadReport &report) {
+    report.notConvexAt.clear();
     for (const QuadCell &cell : mesh.cells) {
         for (unsigned k = 0; isAlive(cell) && !isTriangle(cell) && k < 4; ++k) {
             if (isFlat(mesh.nodes[cell[(k + 3) & 3]], mesh.nodes[cell[k]], mesh.nodes[cell[(k + 1) & 3]])) {
-                report.firstNotConvex = report.notConvex == 0 ? mesh.nodes[cell[k]] : report.firstNotConvex;
-                ++report.notConvex;
+                report.notConvexAt.push_back(mesh.nodes[cell[k]]);
                 break;
             }
         }
     }
+    report.notConvex = report.notConvexAt.size();
 }
 
 void countNodes(const QuadWorkspace &mesh, QuadReport &report) {
@@ -214,7 +214,7 @@ Mesh toMesh(QuadMesh &&mesh, const DiscreteDomain &boundary, QuadReport &report)
     QuadWorkspace &work = mesh.elements;
     report = mesh.report;
     countNodes(work, report);
-    countNotConvex(work, report);
+    listNotConvex(work, report);
     TriMesh tags;
     addTags(tags, boundary, {});
     tags.regions.clear();

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace FOREFRONT_API forefront {
 
@@ -21,7 +22,7 @@ struct QuadReport {
     std::size_t triangles = 0;  ///< left in the mesh
     std::size_t quadrilaterals = 0;
     std::size_t notConvex = 0;      ///< quadrilaterals with a corner of 180 degrees or more
-    Vec2 firstNotConvex;            ///< the corner of the first of them
+    std::vector<Vec2> notConvexAt;  ///< that corner of each
     std::size_t irregularNodes = 0; ///< inside, with other than four elements
     std::size_t innerNodes = 0;
 
