@@ -63,9 +63,9 @@ Result<DomainFile> readProjectDomain(const SourceText &source) {
         return document.faults();
     }
     MeshingJob job = jobOf(*document);
-    return DomainFile{std::move(job.domain),   std::move(job.spacing), document->unit,       std::move(job.cracks),
-                      std::move(job.periodic), std::move(job.mapped),  std::move(job.strips),
-                      std::move(job.layers),   std::move(job.regionElements)};
+    return DomainFile{std::move(job.domain), std::move(job.spacing),  document->unit,
+                      std::move(job.cracks), std::move(job.periodic), std::move(job.mapped),
+                      std::move(job.strips), std::move(job.layers),   std::move(job.regionElements)};
 }
 
 /// Returns the description of a map that the component forefront-gdal reads.

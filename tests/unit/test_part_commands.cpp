@@ -38,6 +38,33 @@ TEST_CASE("Part commands: layers belong to the part alone, which gets a tag of i
     CHECK(next->layers.empty());
 }
 
+TEST_CASE("Part commands: one side of a shape leaves the others alone, and keeps what it has") {
+    Document document = documentOf({square({0, 0}, 4)});
+    const BoundaryPart all{.shapes = {1}, .segments = {}}, side{.shapes = {}, .segments = {{1, 2}}};
+    LayerSpec spec;
+    spec.first = 0.1;
+    Result<Document> next = setLayers(document, all, spec);
+    REQUIRE(next.ok());
+    next->spacing.partSizes[1] = {0.5, 0.2};
+    const Document whole = *next;
+    next = setPeriodic(whole, {.shapes = {}, .segments = {{1, 0}}}, std::nullopt);
+    REQUIRE(next.ok());
+    CHECK(next->shapes[0]->segmentTags.empty());
+    spec.growth = 1.5;
+    next = setLayers(whole, side, spec);
+    REQUIRE(next.ok());
+    const std::int32_t own = segmentTag(*next->shapes[0], 2);
+    CHECK(own != 1);
+    CHECK(layersOf(*next, own)->growth == 1.5);
+    CHECK(layersOf(*next, 1)->growth == 1.2);
+    CHECK(next->spacing.partSizes.at(own).size == 0.5);
+    next = setLayers(whole, side, std::nullopt);
+    REQUIRE(next.ok());
+    CHECK(next->layers.size() == 1);
+    CHECK(layersOf(*next, 1) != nullptr);
+    CHECK(layersOf(*next, segmentTag(*next->shapes[0], 2)) == nullptr);
+}
+
 TEST_CASE("Part commands: a name means all that has it") {
     Document document = twoSquares();
     document.boundaryNames = {{1, "wall"}};

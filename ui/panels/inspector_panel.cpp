@@ -42,14 +42,15 @@ class InspectorPanel final : public Panel {
 
   private:
     void drawHere(Shell &context) const;
-    void drawShape(Shell &context, const Shape &shape) const;
+    void drawShape(Shell &context, const Shape &shape);
     void drawShapeButtons(Shell &context, const Shape &shape) const;
     void drawNode(Shell &context, NodeRef ref) const;
     void drawNodeKind(Shell &context, const Shape &shape, NodeRef ref) const;
-    void drawSegment(Shell &context, SegmentRef ref) const;
+    void drawSegment(Shell &context, SegmentRef ref);
     void drawMany(Shell &context) const;
 
     ConstraintRows constraints_;
+    PartRows parts_;
 };
 
 void changeTag(Shell &context, const BoundaryPart &part, std::int32_t tag) {
@@ -110,11 +111,11 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
 }
 
 /// Draws what the mesher makes of a part, by the role of its shape.
-void roleRows(Shell &context, const Shape &shape, std::int32_t tag, const BoundaryPart &part) {
+void roleRows(Shell &context, PartRows &rows, const Shape &shape, std::int32_t tag, const BoundaryPart &part) {
     if (shape.construction) {
         return;
     }
-    shape.use == ShapeUse::Boundary ? boundaryRows(context, tag, part) : lineRows(context, tag, part);
+    shape.use == ShapeUse::Boundary ? rows.drawBoundary(context, tag, part) : PartRows::drawLine(context, tag, part);
 }
 
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
@@ -220,7 +221,7 @@ void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const 
     }
 }
 
-void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
+void InspectorPanel::drawShape(Shell &context, const Shape &shape) {
     const Document &document = *context.document.current();
     inspectorHeading(context, displayName(shape));
     if (shape.segmentTags.empty()) {
@@ -247,7 +248,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     if (shape.segmentTags.empty()) {
         partSizeRow(context, shape.tag);
         if (taggedSegments(shape) > 0) {
-            roleRows(context, shape, shape.tag, {.shapes = {shape.id}, .segments = {}});
+            roleRows(context, parts_, shape, shape.tag, {.shapes = {shape.id}, .segments = {}});
         }
     }
     extentRows(context, shape);
@@ -285,7 +286,7 @@ void InspectorPanel::drawNodeKind(Shell &context, const Shape &shape, NodeRef re
     }
 }
 
-void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
+void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) {
     const Document &document = *context.document.current();
     const Shape *shape = findShape(document, ref.shape);
     const bool corner = isRoundedCorner(*shape, ref.segment);
@@ -296,7 +297,7 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     segmentSizeRow(context, {ref});
     elementCountRow(context, std::set{ref});
     partSizeRow(context, segmentTag(*shape, ref.segment));
-    roleRows(context, *shape, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
+    roleRows(context, parts_, *shape, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
     if (isRound(*shape) || ref.segment >= taggedSegments(*shape)) {
         return;
     }

@@ -88,8 +88,8 @@ void layerRows(Shell &context, std::int32_t tag, const BoundaryPart &part) {
     }
 }
 
-/// Returns the tags of boundary parts other than one, ascending.
-std::vector<std::int32_t> otherParts(const Document &document, std::int32_t tag) {
+/// Returns the tags of boundaries, ascending.
+std::vector<std::int32_t> boundaryPartsOf(const Document &document) {
     std::set<std::int32_t> tags;
     for (const auto &shape : document.shapes) {
         if (shape->use != ShapeUse::Boundary || shape->construction) {
@@ -99,34 +99,7 @@ std::vector<std::int32_t> otherParts(const Document &document, std::int32_t tag)
             tags.insert(segmentTag(*shape, k));
         }
     }
-    tags.erase(tag);
     return {tags.begin(), tags.end()};
-}
-
-void periodicRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
-    const Document &document = *context.document.current();
-    const std::vector<std::int32_t> others = otherParts(document, tag);
-    const std::optional<std::int32_t> partner = periodicPartner(document, tag);
-    if (others.empty() && !partner) {
-        return;
-    }
-    std::vector<std::string> names{"no other part"};
-    int choice = 0;
-    for (const std::int32_t other : others) {
-        if (partner == other) {
-            choice = static_cast<int>(names.size());
-        }
-        names.push_back(boundaryName(document.boundaryNames, other));
-    }
-    form::label(context, "Periodic with");
-    const bool changed = ui::combo(context, "inspector/periodic", names, choice);
-    ui::rowTooltip(context, "Both parts are divided alike: one is the other, moved or turned, and each node of one has "
-                            "a partner on the other.");
-    if (changed) {
-        const std::optional<std::int32_t> wanted =
-            choice > 0 ? std::optional(others[static_cast<std::size_t>(choice) - 1]) : std::nullopt;
-        context.applyCommand(setPeriodic(document, part, wanted), "Change periodic part");
-    }
 }
 
 void crackRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
@@ -179,18 +152,49 @@ void stripRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
 
 } // namespace
 
-void boundaryRows(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+void PartRows::drawPeriodic(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+    const Document &document = *context.document.current();
+    if (revision_ != context.document.revision()) {
+        revision_ = context.document.revision();
+        parts_ = boundaryPartsOf(document);
+    }
+    std::vector<std::int32_t> others = parts_;
+    std::erase(others, tag);
+    const std::optional<std::int32_t> partner = periodicPartner(document, tag);
+    if (others.empty() && !partner) {
+        return;
+    }
+    std::vector<std::string> names{"no other part"};
+    int choice = 0;
+    for (const std::int32_t other : others) {
+        if (partner == other) {
+            choice = static_cast<int>(names.size());
+        }
+        names.push_back(boundaryName(document.boundaryNames, other));
+    }
+    form::label(context, "Periodic with");
+    const bool changed = ui::combo(context, "inspector/periodic", names, choice);
+    ui::rowTooltip(context, "Both parts are divided alike: one is the other, moved or turned, and each node of one has "
+                            "a partner on the other.");
+    if (changed) {
+        const std::optional<std::int32_t> wanted =
+            choice > 0 ? std::optional(others[static_cast<std::size_t>(choice) - 1]) : std::nullopt;
+        context.applyCommand(setPeriodic(document, part, wanted), "Change periodic part");
+    }
+}
+
+void PartRows::drawBoundary(Shell &context, std::int32_t tag, const BoundaryPart &part) {
     const Document &document = *context.document.current();
     const bool sizes = context.settings.workspace == WorkspaceKind::Size;
     if (sizes || layersOf(document, tag) != nullptr) {
         layerRows(context, tag, part);
     }
     if (sizes || periodicPartner(document, tag)) {
-        periodicRow(context, tag, part);
+        drawPeriodic(context, tag, part);
     }
 }
 
-void lineRows(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+void PartRows::drawLine(Shell &context, std::int32_t tag, const BoundaryPart &part) {
     crackRow(context, tag, part);
     stripRow(context, tag, part);
 }

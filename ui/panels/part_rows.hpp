@@ -3,17 +3,21 @@
 #include "core/drawing/names/name_commands.hpp"
 
 #include <cstdint>
+#include <vector>
 
 namespace forefront {
 
 struct Shell;
 
-/// Draws the boundary layers of a part of the outer boundary or of a hole, and the part that it is periodic with: in
-/// the workspace Size, and wherever the part has some.
-void boundaryRows(Shell &context, std::int32_t tag, const BoundaryPart &part);
-/// Draws whether an inner line is a crack or a strip.
-void lineRows(Shell &context, std::int32_t tag, const BoundaryPart &part);
-/// Draws whether the faces of a region are filled by rows.
-void mappedRow(Shell &context, std::int32_t region);
+/// The rows of the inspector for what the mesher makes of a part of the boundary or of an inner line.
+class PartRows {
+  public:
+    /// Draws the boundary layers of a part of the outer boundary or of a hole, and the part that it is periodic with:
+    /// in the workspace Size, and wherever the part has some.
+    void boundaryRows(Shell &context, std::int32_t tag, const BoundaryPart &part);
+    /// Draws whether an inner line is a crack or a strip.
+    void lineRows(Shell &context, std::int32_t tag, const BoundaryPart &part);
+    /// Draws whether the faces of a region are filled by rows.
+    void mappedRow(Shell &context, std::int32_t region);
 
 } // namespace forefront

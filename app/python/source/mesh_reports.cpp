@@ -78,8 +78,8 @@ py::list checkMesh(const PythonMesh &self, const PythonDomain *checked, const st
     return faultList(withoutGil([&] {
         if (domain) {
             PlacedSizes &placed = domain->spacing.placed;
-            if (Diagnostics wrong = widenStrips(domain->strips, domain->cracks, {}, domain->domain,
-                                                placed.elements, placed.biases);
+            if (Diagnostics wrong =
+                    widenStrips(domain->strips, domain->cracks, {}, domain->domain, placed.elements, placed.biases);
                 !wrong.empty()) {
                 return wrong;
             }

@@ -34,7 +34,37 @@ std::int32_t firstTag(const Document &document, const BoundaryPart &part) {
     return 0;
 }
 
-/// Gives a part a tag of its own unless its tag has a name, which means all that has it.
+template <class Spec>
+const Spec *specOf(const std::vector<Spec> &specs, std::int32_t tag) {
+    const auto found = std::find_if(specs.begin(), specs.end(), [tag](const Spec &spec) { return spec.tag == tag; });
+    return found == specs.end() ? nullptr : &*found;
+}
+
+/// Gives one tag what another one has: sizes, numbers of elements, layers, cracks and strips. Of periodic parts there
+/// are two each, no more.
+void copyProperties(Document &document, std::int32_t from, std::int32_t to) {
+    const auto copySpec = [&](auto &specs) {
+        const auto *const found = specOf(specs, from);
+        if (found != nullptr) {
+            auto copy = *found;
+            copy.tag = to;
+            specs.push_back(std::move(copy));
+        }
+    };
+    copySpec(document.layers);
+    copySpec(document.strips);
+    if (const auto size = document.spacing.partSizes.find(from); size != document.spacing.partSizes.end()) {
+        document.spacing.partSizes.emplace(to, PartSize(size->second));
+    }
+    if (const auto count = document.elementCounts.find(from); count != document.elementCounts.end()) {
+        document.elementCounts.emplace(to, PartElements(count->second));
+    }
+    if (isCrack(document, from)) {
+        document.cracks.push_back(to);
+    }
+}
+
+/// Gives a part a tag of its own, with what its tag has, unless the tag has a name, which means all that has it.
 Result<PartWithTag> withTag(const Document &document, const BoundaryPart &part) {
     const std::int32_t before = firstTag(document, part);
     if (before != 0 && document.boundaryNames.contains(before)) {
@@ -44,8 +74,12 @@ Result<PartWithTag> withTag(const Document &document, const BoundaryPart &part) 
     if (!next) {
         return next.faults();
     }
-    const std::int32_t tag = firstTag(*next, part);
-    return PartWithTag{*std::move(next), tag};
+    PartWithTag owned{*std::move(next), 0};
+    owned.tag = firstTag(owned.document, part);
+    if (owned.tag != before) {
+        copyProperties(owned.document, before, owned.tag);
+    }
+    return owned;
 }
 
 /// Sets what a list of a document has for a part; nullopt removes it. `faultOf` checks its numbers.
@@ -53,8 +87,7 @@ template <class Spec>
 Result<Document> setSpec(const Document &document, const BoundaryPart &part, std::optional<Spec> spec,
                          std::vector<Spec> Document::*list,
                          std::optional<Diagnostic> (*faultOf)(const Spec &, std::string_view)) {
-    Result<PartWithTag> owned =
-        spec ? withTag(document, part) : Result<PartWithTag>(PartWithTag{document, firstTag(document, part)});
+    Result<PartWithTag> owned = withTag(document, part);
     if (!owned) {
         return owned.faults();
     }
@@ -80,12 +113,6 @@ Result<Document> setSpec(const Document &document, const BoundaryPart &part, std
     return next;
 }
 
-template <class Spec>
-const Spec *specOf(const std::vector<Spec> &specs, std::int32_t tag) {
-    const auto found = std::find_if(specs.begin(), specs.end(), [tag](const Spec &spec) { return spec.tag == tag; });
-    return found == specs.end() ? nullptr : &*found;
-}
-
 } // namespace
 
 Result<Document> setLayers(const Document &document, const BoundaryPart &part, std::optional<LayerSpec> spec) {
@@ -97,17 +124,14 @@ Result<Document> setStrip(const Document &document, const BoundaryPart &part, st
 }
 
 Result<Document> setCrack(const Document &document, const BoundaryPart &part, bool cracks) {
-    if (!cracks) {
-        Document next = document;
-        std::erase(next.cracks, firstTag(document, part));
-        return next;
-    }
     Result<PartWithTag> owned = withTag(document, part);
     if (!owned) {
         return owned.faults();
     }
     Document next = std::move(owned->document);
-    if (!isCrack(next, owned->tag)) {
+    if (!cracks) {
+        std::erase(next.cracks, owned->tag);
+    } else if (!isCrack(next, owned->tag)) {
         next.cracks.push_back(owned->tag);
     }
     return next;

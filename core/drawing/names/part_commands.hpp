@@ -10,7 +10,7 @@
 namespace forefront {
 
 // Commands on what the mesher makes of parts of the boundary, inner lines and regions. A part whose tag has no name and
-// is used elsewhere, too, first gets a tag of its own. Errors: those of nameBoundaryPart().
+// is used elsewhere, too, first gets a tag of its own with what that one has. Errors: those of nameBoundaryPart().
 
 /// Sets the boundary layers of a part, whose tag is ignored in `spec`; nullopt removes them. Error: bad-layer.
 Result<Document> setLayers(const Document &document, const BoundaryPart &part, std::optional<LayerSpec> spec);

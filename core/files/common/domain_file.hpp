@@ -20,12 +20,12 @@ namespace FOREFRONT_API forefront {
 struct DomainFile {
     Domain domain;
     SpacingSpec spacing;
-    LengthUnit unit = LengthUnit::None;   ///< of the coordinates, if the file names one
-    std::vector<std::int32_t> cracks{};   ///< tags of inner lines that are cracks; see MeshingJob::cracks
-    std::vector<PeriodicSpec> periodic{}; ///< parts that are divided alike; see MeshingJob::periodic
-    std::vector<MappedSpec> mapped{};     ///< regions filled by rows of elements; see MeshingJob::mapped
-    std::vector<StripSpec> strips{};      ///< inner lines with a width; see MeshingJob::strips
-    std::vector<LayerSpec> layers{};      ///< boundary layers; see MeshingJob::layers
+    LengthUnit unit = LengthUnit::None;           ///< of the coordinates, if the file names one
+    std::vector<std::int32_t> cracks{};           ///< tags of inner lines that are cracks; see MeshingJob::cracks
+    std::vector<PeriodicSpec> periodic{};         ///< parts that are divided alike; see MeshingJob::periodic
+    std::vector<MappedSpec> mapped{};             ///< regions filled by rows of elements; see MeshingJob::mapped
+    std::vector<StripSpec> strips{};              ///< inner lines with a width; see MeshingJob::strips
+    std::vector<LayerSpec> layers{};              ///< boundary layers; see MeshingJob::layers
     std::vector<RegionElements> regionElements{}; ///< see MeshingJob::regionElements
 };
 

@@ -90,7 +90,11 @@
     made.onclick = act;
     return made;
   };
-  const parse = (text) => Number(text.includes('.') ? text : text.replace(',', '.'));
+  const parse = (typed) => {
+    const text = typed.includes('.') ? typed : typed.replace(',', '.');
+    const value = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
+    return Number.isFinite(value) ? value : NaN;
+  };
   const answerNumber = () => {
     const field = $('typed'), value = parse(field.value.trim()), { number, within, why, mistakes } = questionNow();
     if (field.value.trim() === '' || Number.isNaN(value)) { reply(false, 'Expected a number such as 12 or 0.5.'); return; }
