@@ -141,19 +141,19 @@ Diagnostics flatElements(const MeshQuality &quality) {
 }
 
 Diagnostics notConvex(const QuadReport &quads) {
-    if (quads.notConvex == 0) {
+    if (quads.notConvexAt.empty()) {
         return {};
     }
     constexpr std::size_t kShown = 5;
-    std::string places;
-    for (std::size_t i = 0; i < std::min(quads.notConvexAt.size(), kShown); ++i) {
-        places += (i == 0 ? ": at " : ", ") + placeText(quads.notConvexAt[i]);
+    std::string places = ": at " + placeText(quads.notConvexAt.front());
+    for (std::size_t i = 1; i < std::min(quads.notConvexAt.size(), kShown); ++i) {
+        places += ", " + placeText(quads.notConvexAt[i]);
     }
     Diagnostics found =
         error("concave-element",
               std::to_string(quads.notConvex) + (quads.notConvex == 1 ? " quadrilateral has" : " quadrilaterals have") +
                   " a corner of 180 degrees or more, where the domain is sharp or narrow" + places +
-                  (quads.notConvex > kShown ? " and more; --stats lists all" : ""),
+                  (quads.notConvex > kShown ? " and more" : ""),
               "choose smaller elements there, or divide them with --elements mixed");
     found.front().severity = Severity::Warning;
     return found;
@@ -285,14 +285,8 @@ void addQuads(const QuadReport &quads, JsonWriter &json) {
     json.member("front", quads.lattice ? "lattice" : "rows").member("rows", quads.rows);
     json.member("openings", quads.openings).member("closings", quads.closings).member("searched", quads.searched);
     json.member("added_nodes", quads.addedNodes).member("odd_edges", quads.oddEdges);
-    json.member("not_convex", quads.notConvex)
-        .member("changes", quads.changes)
-        .member("triangles_left", quads.triangles);
-    json.key("not_convex_at").beginArray();
-    for (const Vec2 place : quads.notConvexAt) {
-        json.beginObject().member("x", place.x).member("y", place.y).endObject();
-    }
-    json.endArray();
+    json.member("not_convex", quads.notConvex).member("changes", quads.changes);
+    json.member("triangles_left", quads.triangles);
     json.member("irregular_nodes", quads.irregularNodes).member("interior_nodes", quads.innerNodes);
     json.endObject();
 }
