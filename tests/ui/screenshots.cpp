@@ -23,6 +23,26 @@
 
 namespace forefront::test {
 
+void importBracket(Driver &driver) {
+    Result<std::unique_ptr<ImportDialog>> dialog = ImportDialog::open(assetFolder() / "samples/bracket.json", {});
+    REQUIRE(dialog.ok());
+    driver.context().dialogs.open(std::move(dialog).value());
+}
+
+void offerCombination(Driver &driver) {
+    Shell &context = driver.context();
+    context.actions.run("file.new", context);
+    driver.settle();
+    Shape left, right;
+    left.form = right.form = formOf(ShapeKind::Rectangle);
+    left.nodes = {{0, 0}, {6, 4}};
+    right.nodes = {{4, 2}, {9, 7}};
+    context.document.apply(*addShapes({}, {left, right}), "Draw");
+    driver.settle();
+    context.actions.run("view.fit", context);
+    context.actions.run("edit.combine", context);
+}
+
 namespace {
 
 /// Opens the dialog for a picture with dark rings.
@@ -86,28 +106,6 @@ void runTable(Driver &driver) {
     }
     driver.click("dialog/tables/run");
     driver.settle();
-}
-
-/// Offers to combine two rectangles that overlap.
-void offerCombination(Driver &driver) {
-    Shell &context = driver.context();
-    context.actions.run("file.new", context);
-    driver.settle();
-    Shape left, right;
-    left.form = right.form = formOf(ShapeKind::Rectangle);
-    left.nodes = {{0, 0}, {6, 4}};
-    right.nodes = {{4, 2}, {9, 7}};
-    context.document.apply(*addShapes({}, {left, right}), "Draw");
-    driver.settle();
-    context.actions.run("view.fit", context);
-    context.actions.run("edit.combine", context);
-}
-
-/// Opens the dialog for a drawing that is added.
-void importBracket(Driver &driver) {
-    Result<std::unique_ptr<ImportDialog>> dialog = ImportDialog::open(assetFolder() / "samples/bracket.json", {});
-    REQUIRE(dialog.ok());
-    driver.context().dialogs.open(std::move(dialog).value());
 }
 
 /// Offers a drawing that was unsaved when another program crashed.

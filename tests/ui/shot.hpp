@@ -27,4 +27,9 @@ inline void writePicture(const Driver::Picture &picture, const std::filesystem::
     REQUIRE(out.good());
 }
 
+/// Opens the dialog for a drawing that is added.
+void importBracket(Driver &driver);
+/// Offers to combine two rectangles that overlap.
+void offerCombination(Driver &driver);
+
 } // namespace forefront::test

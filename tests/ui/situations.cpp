@@ -1,3 +1,4 @@
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "tests/ui/shot.hpp"
