@@ -4,6 +4,7 @@
 #include "tests/ui/shot.hpp"
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/platform/assets.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <doctest/doctest.h>
@@ -164,6 +165,7 @@ TEST_CASE("Ten situations at twice the scale, and in a window that becomes too s
             driver.settle();
             CHECK(driver.has("status/pointer"));
         }
+        CHECK(shell::layOut(driver.context()).open.width >= 0.3 * whole.width); // a canvas is left
         driver.context().dialogs.dismissPreviews(driver.context());
         driver.context().dialogs.closeAll();
         driver.settle();

@@ -41,4 +41,49 @@ TEST_CASE("Hints at the pointer: a tool has one until it was used twice, and so 
     CHECK(loadSettings(place.path / "settings.json").toolUses == driver.context().settings.toolUses);
 }
 
+TEST_CASE("Hints on the canvas: the strip of keys goes once two were used or a mesh was made, and is not in the way") {
+    Draughtsman driver;
+    CHECK(driver.has("hints"));
+    driver.key('P');
+    driver.clickPlace({1, 1});
+    CHECK_FALSE(driver.has("hints")); // a tool is at work
+    driver.clickPlace({8, 1});
+    driver.clickPlace({8, 7});
+    driver.key(key::kEnter);
+    driver.key('V');
+    driver.settle();
+    CHECK(driver.has("hints")); // the keys of a drawing that is not empty
+    for (const WorkspaceKind kind : {WorkspaceKind::Step, WorkspaceKind::Judge}) {
+        driver.workspace(kind);
+        CHECK_FALSE(driver.has("hints"));
+    }
+    driver.workspace(WorkspaceKind::Draw);
+    CHECK(driver.has("hints"));
+    driver.key(key::kF1 + 3);
+    driver.settle();
+    CHECK_FALSE(driver.has("hints")); // lessons
+    driver.key(key::kF1 + 3);
+    driver.settle();
+    driver.key('B');
+    driver.settle();
+    CHECK(driver.has("hints"));
+    driver.key('B');
+    driver.settle();
+    CHECK_FALSE(driver.has("hints"));
+
+    const TemporaryFolder place;
+    saveSettings(place.path / "settings.json", driver.context().settings);
+    CHECK(loadSettings(place.path / "settings.json").toolUses == driver.context().settings.toolUses);
+
+    driver.key('V');
+    driver.context().actions.run("view.hints", driver.context());
+    driver.context().actions.run("view.hints", driver.context()); // on again: as for a new user
+    driver.settle();
+    CHECK(driver.has("hints"));
+    driver.context().actions.run("run.mesh", driver.context());
+    driver.until([&] { return driver.run().complete && !driver.context().run.busy(); });
+    driver.settle();
+    CHECK_FALSE(driver.has("hints"));
+}
+
 } // namespace forefront::test

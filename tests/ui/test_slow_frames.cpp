@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <fstream>
 #include <functional>
+#include <optional>
 
 namespace forefront::test {
 
@@ -180,6 +183,174 @@ TEST_CASE("Slow frames: names, sizes and commands that open a field") {
         enter(typist, "3");
         typist.write("r");
     });
+}
+
+TEST_CASE("Slow frames: round shapes and arcs drawn with typed numbers") {
+    expectSame("ellipse", [](Typist &typist) {
+        typist.write("k");
+        tabbed(typist, "1");
+        enter(typist, "2");
+        tabbed(typist, "6");
+        enter(typist, "3");
+        typist.finish();
+        CHECK(typist.document().shapes.size() == 1);
+    });
+    expectSame("regular polygon", [](Typist &typist) {
+        typist.write("h");
+        typist.touch("options/sides");
+        enter(typist, "5");
+        enter(typist, "5,4");
+        enter(typist, "2.5");
+        typist.finish();
+        REQUIRE(typist.document().shapes.size() == 1);
+        CHECK(typist.document().shapes[0]->nodes.size() == 5);
+    });
+    expectSame("arc", [](Typist &typist) {
+        typist.write("a");
+        typist.touch("options/arc/Three points");
+        enter(typist, "1,1");
+        enter(typist, "3,1");
+        enter(typist, "2,2");
+        typist.finish();
+        CHECK(typist.document().shapes.size() == 1);
+    });
+}
+
+TEST_CASE("Slow frames: sources and gradients") {
+    expectSame("box", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("s");
+        typist.touch("options/source/shape/Box");
+        typist.touch("options/source/size");
+        enter(typist, "0.15");
+        enter(typist, "2,3");
+        enter(typist, "5,5");
+        typist.finish();
+        REQUIRE(typist.document().spacing.sources.size() == 1);
+        CHECK(typist.document().spacing.sources[0].size == 0.15);
+    });
+    expectSame("disc", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("s");
+        typist.touch("options/source/shape/Circle");
+        enter(typist, "4,4");
+        enter(typist, "1");
+        typist.finish();
+        CHECK(typist.document().spacing.sources.size() == 1);
+    });
+    expectSame("gradient", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("d");
+        typist.touch("options/gradient/size");
+        tabbed(typist, "0.1");
+        enter(typist, "0.5");
+        typist.finish();
+        typist.dragPlaces({2, 3}, {6, 3});
+        CHECK(typist.document().spacing.hasGradient());
+    });
+}
+
+TEST_CASE("Slow frames: the table of nodes, elements of a side, boundary layers and strips") {
+    expectSame("nodes", [](Typist &typist) {
+        typist.write("p");
+        enter(typist, "1,1");
+        enter(typist, "6,1");
+        enter(typist, "6,5");
+        typist.tap(key::kEnter);
+        typist.write("v");
+        typist.showPanel("nodes");
+        typist.touch("nodes/1/2/x");
+        tabbed(typist, "7");
+        tabbed(typist, "1.5");
+        enter(typist, "6.5");
+        typist.finish();
+        CHECK(typist.document().shapes[0]->nodes[1] == Vec2{7, 1.5});
+    });
+    const auto chooseSide = [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("v");
+        typist.finish();
+        typist.clickPlace({3, 2});
+        typist.clickPlace({3, 2});
+        typist.settle();
+    };
+    expectSame("elements and bias", [&](Typist &typist) {
+        chooseSide(typist);
+        typist.touch("inspector/elements");
+        enter(typist, "10");
+        typist.touch("inspector/bias");
+        enter(typist, "4");
+        typist.write("v");
+    });
+    expectSame("boundary layers", [&](Typist &typist) {
+        chooseSide(typist);
+        typist.touch("inspector/layers/first");
+        enter(typist, "0.02");
+        typist.touch("inspector/layers/count");
+        tabbed(typist, "5");
+        enter(typist, "1.5");
+        typist.finish();
+        REQUIRE(typist.document().layers.size() == 1);
+        CHECK(typist.document().layers.begin()->count == 5);
+    });
+    expectSame("strip", [&](Typist &typist) {
+        chooseSide(typist);
+        typist.touch("inspector/strip/width");
+        enter(typist, "0.2");
+        typist.touch("inspector/strip/rows");
+        enter(typist, "2");
+        typist.write("v");
+    });
+}
+
+TEST_CASE("Slow frames: a row of the shapes is renamed") {
+    expectSame("rename", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("v");
+        typist.showPanel("shapes");
+        typist.touch("shapes/1");
+        typist.tap(key::kF1 + 1);
+        enter(typist, "plate");
+        typist.write("c");
+        typist.finish();
+        CHECK(typist.document().shapes[0]->name == "plate");
+    });
+}
+
+TEST_CASE("Slow frames: options of an import") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "box.svg")
+        << R"(<svg viewBox="0 0 10 10"><rect x="2" y="1" width="3" height="4"/></svg>)";
+    expectSame("import", [&](Typist &typist) {
+        typist.tap('I', kControl);
+        typist.finish();
+        typist.chooseFile("import", place.path / "box.svg");
+        typist.touch("dialog/importoptions/scale");
+        enter(typist, "2");
+        typist.tap(key::kEnter);
+        typist.finish();
+        CHECK(typist.document().shapes.size() == 1);
+    });
+}
+
+TEST_CASE("Slow frames: sizes of new drawings in the preferences") {
+    const auto sizes = [](bool slow) {
+        Typist typist(slow);
+        typist.context().actions.run("edit.preferences", typist.context());
+        typist.settle();
+        typist.touch("dialog/preferences/page/New drawings");
+        typist.touch("dialog/preferences/new/size");
+        tabbed(typist, "0.25");
+        tabbed(typist, "0.1");
+        tabbed(typist, "40");
+        enter(typist, "3");
+        typist.finish();
+        const Settings &settings = typist.context().settings;
+        return std::array{settings.newSize, settings.newGradation, settings.newPerTurn, settings.newAcross};
+    };
+    const std::array<std::optional<double>, 4> wanted{0.25, 0.1, 40.0, 3.0};
+    CHECK(sizes(false) == wanted);
+    CHECK(sizes(true) == wanted);
 }
 
 TEST_CASE("Slow frames: the dialog for the file name") {

@@ -58,6 +58,22 @@ class Parametric : public Draughtsman {
 
 } // namespace
 
+TEST_CASE("Typed formulas: an expression without parameters becomes its value, and binds nothing") {
+    Parametric driver;
+    driver.rectangle({1, 1}, {4, 3});
+    driver.key('V');
+    driver.fill("inspector/corner/x", "687123+1");
+    CHECK(driver.shape().nodes[0].x == 687124.0);
+    CHECK(driver.document().formulas.empty());
+    driver.fill("inspector/corner/x", "2*w");
+    CHECK(driver.document().formulas.size() == 1);
+    driver.fill("inspector/corner/x", "3+1"); // the value that it has
+    CHECK(driver.shape().nodes[0].x == 4.0);
+    CHECK(driver.document().formulas.empty());
+    driver.fill("inspector/corner/x", "2*pi");
+    CHECK(driver.document().formulas.empty());
+}
+
 TEST_CASE("Typed formulas: the nodes of a pen path follow distances and angles; undo and a project file keep them") {
     Parametric driver;
     driver.key('P');

@@ -114,6 +114,32 @@ TEST_CASE("Options bar: in a narrow window labels go before fields do") {
     CHECK(left() == labelled);
 }
 
+TEST_CASE("Judge: what was probed is forgotten with the workspace and the tool, and hidden under a dialog") {
+    MeshedSquare driver;
+    const auto worst = [&] {
+        driver.workspace(WorkspaceKind::Judge);
+        driver.context().actions.run("run.worst", driver.context());
+        driver.settle();
+        CHECK(driver.has("probe/plate/place"));
+    };
+    worst();
+    driver.workspace(WorkspaceKind::Draw);
+    driver.settle();
+    CHECK_FALSE(driver.context().probe.chosen);
+    CHECK_FALSE(driver.has("probe/plate/place"));
+    worst();
+    driver.key('M');
+    driver.settle();
+    CHECK_FALSE(driver.context().probe.chosen);
+    worst();
+    driver.context().actions.run("view.scale", driver.context());
+    driver.settle();
+    CHECK_FALSE(driver.has("probe/plate/place")); // an import would show another drawing there
+    driver.key(key::kEscape);
+    driver.settle();
+    CHECK(driver.has("probe/plate/place"));
+}
+
 TEST_CASE("Worst places: a click zooms to the element, arrow keys walk the table, and it follows the measure") {
     MeshedSquare driver;
     driver.workspace(WorkspaceKind::Judge);

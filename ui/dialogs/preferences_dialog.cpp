@@ -110,6 +110,11 @@ void PreferencesDialog::drawAppearance(Shell &context) {
     ui::rowLabel(context, "Interface scale", kLabel);
     scale_.draw(context, "dialog/preferences/scale");
     note(context, kScaleNote);
+    ui::rowLabel(context, "", kLabel);
+    if (ui::button(context, "dialog/preferences/scale/reset", "100 %", ui::ButtonKind::Plain, settings.scale != 1.0)) {
+        scale_.reset(context);
+        context.animate();
+    }
     ui::rowLabel(context, "Hints", kLabel);
     ui::checkbox(context, "dialog/preferences/hints", "Show hints on the canvas", settings.hints);
     ui::rowLabel(context, "Motion", kLabel);

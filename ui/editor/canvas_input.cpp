@@ -157,6 +157,7 @@ void CanvasInput::spaceKey(const InputEvent &event, Shell &context) {
     } else if (!event.pressed && spaceDown_) {
         spaceDown_ = false;
         if (!spaceUsed_ && !panning_) {
+            countKeyUse(context, key::kSpace);
             context.actions.runShortcut({key::kSpace, {}}, false, context);
         }
     }
@@ -300,6 +301,9 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
         return;
     }
     if (!offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context)) {
+        if (modifiers_.none() && !event.repeated) {
+            countKeyUse(context, event.code);
+        }
         context.actions.runShortcut({event.code, modifiers_}, event.repeated, context);
     }
 }

@@ -11,6 +11,7 @@ void ToolBox::choose(std::string_view id, Shell &context) {
             std::erase(left, active);
             left.push_back(active);
             active = i;
+            context.probe.follow(0); // what was chosen ends with the tool
             current().activate(context);
             context.animate();
             return;

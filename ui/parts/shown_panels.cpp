@@ -81,6 +81,7 @@ void chooseWorkspace(Shell &context, WorkspaceKind kind) {
     context.called.clear();
     context.animate();
     context.settings.workspace = kind;
+    context.probe.follow(0); // forgets the parts, which were looked at there
     const Tool &tool = context.tools.current();
     if (!contains(presetOf(kind).tools, tool.id()) && !isOutlined(context, std::string("tool/") + tool.id())) {
         context.tools.choose("select", context); // a tool that is not in sight would surprise

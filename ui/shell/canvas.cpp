@@ -408,7 +408,9 @@ void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
     painter.setLevel(CanvasPainter::Level::Tool);
     context.tools.current().drawOverlay(painter, context);
     drawPointerHint(painter, context);
-    drawProbe(painter, context);
+    if (!context.dialogs.any()) { // which may preview another drawing
+        drawProbe(painter, context);
+    }
     if (context.settings.workspace == WorkspaceKind::Judge && !isFolded(context, "worst")) {
         drawRanks(painter, context);
     }

@@ -1,5 +1,6 @@
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/pointer_hints.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -59,11 +60,28 @@ float widthOf(const WidgetContext &context, const Hint &hint) {
     return ImGui::CalcTextSize(hint.key).x + ImGui::CalcTextSize(hint.text).x + context.px(12 + 6 + 16);
 }
 
+/// Returns true once the user has made a mesh; one that is made of a drawing as it was opened does not count.
+bool hasMeshed(const Shell &context) {
+    const bool own = !context.settings.live || !context.document.undoLabel().empty();
+    return own && context.run.now().complete && !context.run.preview() && !context.run.showsFile();
+}
+
+/// Returns true where the strip of keys says what can be done next, as long as they are not known; it would disturb a
+/// tool at work, and reading.
+bool offersKeys(const Shell &context) {
+    const WorkspaceKind workspace = context.settings.workspace;
+    return context.settings.hints && !knowsKeys(context) && workspace != WorkspaceKind::Step &&
+           workspace != WorkspaceKind::Judge && !context.lessons.visible && !context.presentedFrom &&
+           context.tools.current().undoLabel(context).empty();
+}
+
 /// Draws as many hints as fit beside the legends, but at least two.
 void drawHints(Shell &context, const PixelRect &canvas) {
     constexpr double kLeastHeight = 280.0; // design pixels; on a lower canvas they would cover the drawing
-    if (!context.settings.hints || context.presentedFrom ||
-        canvas.height < static_cast<double>(context.px(kLeastHeight))) {
+    if (!knowsKeys(context) && hasMeshed(context)) {
+        retireKeys(context);
+    }
+    if (!offersKeys(context) || canvas.height < static_cast<double>(context.px(kLeastHeight))) {
         return;
     }
     static constexpr std::array<Hint, 5> kMeshing{

@@ -15,7 +15,8 @@ namespace {
 constexpr double kMenuHeight = 40, kOptionsHeight = 36, kTimelineHeight = 78, kStatusHeight = 26;
 constexpr double kTabsHeight = 32;
 constexpr double kLessonWidth = 330;
-constexpr double kNarrow = 800; ///< width of a window that has no room for the column beside the canvas
+constexpr double kNarrow = 800;      ///< width of a window that has no room for the column beside the canvas
+constexpr double kLessonAlone = 700; ///< width of a window that has room for a lesson or the column, not both
 constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< heights of the comparison table and of a row in it
 constexpr double kRuler = 20;
 constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadable
@@ -45,8 +46,13 @@ bool columnFloats(const Shell &context) {
     return context.platform.framebufferSize().width < static_cast<double>(context.px(kNarrow));
 }
 
+bool lessonAlone(const Shell &context) {
+    return context.lessons.visible &&
+           context.platform.framebufferSize().width < static_cast<double>(context.px(kLessonAlone));
+}
+
 bool columnShown(const Shell &context) {
-    return columnFloats(context) ? context.plates.column : context.view.panels;
+    return columnFloats(context) ? context.plates.column && !lessonAlone(context) : context.view.panels;
 }
 
 Layout layOut(const Shell &context) {

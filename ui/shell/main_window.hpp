@@ -20,6 +20,9 @@ struct Layout {
 Layout layOut(const Shell &context);
 /// Returns true if the window is too narrow for the column beside the canvas: it opens over the canvas on demand.
 bool columnFloats(const Shell &context);
+/// Returns true if a lesson is shown in a window so narrow that the column is hidden meanwhile: both would leave no
+/// canvas.
+bool lessonAlone(const Shell &context);
 /// Returns true if the column is shown, beside the canvas or over it.
 bool columnShown(const Shell &context);
 

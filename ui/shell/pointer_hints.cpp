@@ -9,6 +9,13 @@
 namespace forefront {
 namespace {
 
+/// Names in the settings for the uses of the keys in the strips.
+constexpr const char *kDrawingKeys = "keys.drawing", *kMeshingKeys = "keys.meshing";
+
+bool isEmpty(const Shell &context) {
+    return context.document.current()->shapes.empty();
+}
+
 struct ToolHint {
     std::string_view tool;
     const char *start, *begun; ///< what to do first, and with unfinished input
@@ -45,6 +52,29 @@ std::string pointerHint(const Settings &settings, std::string_view tool, bool be
     const auto found =
         std::find_if(kToolHints.begin(), kToolHints.end(), [tool](const ToolHint &hint) { return hint.tool == tool; });
     return found == kToolHints.end() ? "" : begun ? found->begun : found->start;
+}
+
+bool knowsKeys(const Shell &context) {
+    const auto used = context.settings.toolUses.find(isEmpty(context) ? kDrawingKeys : kMeshingKeys);
+    return used != context.settings.toolUses.end() && used->second >= kHintedUses;
+}
+
+void countKeyUse(Shell &context, int code) {
+    constexpr std::array<int, 3> kDrawing{'R', 'P', 'C'};
+    constexpr std::array<int, 4> kMeshing{'2', key::kSpace, key::kPeriod, 'B'};
+    const auto counts = [code](const auto &keys) { return std::find(keys.begin(), keys.end(), code) != keys.end(); };
+    if (!knowsKeys(context) && (isEmpty(context) ? counts(kDrawing) : counts(kMeshing))) {
+        ++context.settings.toolUses[isEmpty(context) ? kDrawingKeys : kMeshingKeys];
+    }
+}
+
+void retireKeys(Shell &context) {
+    context.settings.toolUses[kMeshingKeys] = kHintedUses;
+}
+
+void renewKeys(Shell &context) {
+    context.settings.toolUses.erase(kDrawingKeys);
+    context.settings.toolUses.erase(kMeshingKeys);
 }
 
 void drawPointerHint(CanvasPainter &painter, Shell &context) {

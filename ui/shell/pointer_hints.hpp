@@ -16,6 +16,16 @@ inline constexpr int kHintedUses = 2;
 /// kHintedUses times. `tool`: its id; `begun`: it has unfinished input.
 std::string pointerHint(const Settings &settings, std::string_view tool, bool begun);
 
+/// Returns true once the keys of the strip on the canvas are known: two of them were used, or the first mesh was made.
+/// There is one strip for an empty drawing and one for others. Counted in Settings::toolUses, beside the tools.
+bool knowsKeys(const Shell &context);
+/// Counts a key without modifiers that was pressed, if it is in the strip that the drawing has.
+void countKeyUse(Shell &context, int code);
+/// Ends the strip of a drawing that is not empty.
+void retireKeys(Shell &context);
+/// Makes all keys unknown again.
+void renewKeys(Shell &context);
+
 /// Draws the hint of the active tool beside the pointer, unless hints are switched off.
 void drawPointerHint(CanvasPainter &painter, Shell &context);
 

@@ -8,6 +8,7 @@
 #include "ui/shell/command_palette.hpp"
 #include "ui/shell/help_dialogs.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/pointer_hints.hpp"
 #include "ui/shell/presentation.hpp"
 #include "ui/shell/tool_actions.hpp"
 #include "ui/workspace/judging.hpp"
@@ -80,7 +81,10 @@ void addInterfaceActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          bool &shown = shell::columnFloats(c) ? c.plates.column : c.view.panels;
-                         shown = !shown;
+                         shown = !shell::columnShown(c);
+                         if (shown && shell::lessonAlone(c)) {
+                             c.lessons.visible = false; // the column takes its place
+                         }
                          c.animate();
                      },
                  .checked = [](const Shell &c) { return shell::columnShown(c); },
@@ -132,7 +136,13 @@ void addInterfaceActions(ActionRegistry &actions) {
     actions.add({.id = "view.hints",
                  .menu = "Help",
                  .title = "Show hints",
-                 .run = [](Shell &c) { c.settings.hints = !c.settings.hints; },
+                 .run =
+                     [](Shell &c) {
+                         c.settings.hints = !c.settings.hints;
+                         if (c.settings.hints) {
+                             renewKeys(c); // who asks for hints gets all of them
+                         }
+                     },
                  .checked = [](const Shell &c) { return c.settings.hints; }});
 }
 

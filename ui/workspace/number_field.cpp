@@ -62,14 +62,14 @@ void remarkOnce(Workspace &context, std::string_view name, const std::string &te
 }
 
 /// Stores a typed formula at once if the number already has its value; else leaves it to the command that changes the
-/// number.
+/// number. An expression without parameters is stored as its value: a formula would bind the number to a constant.
 void keepFormula(Workspace &context, std::string_view name, const FieldAddress &address, const std::string &typed,
                  bool changesNumber) {
-    const std::string text(trimmed(typed));
     if (!address) {
-        remarkOnce(context, name, text);
+        remarkOnce(context, name, std::string(trimmed(typed)));
         return;
     }
+    const std::string text = formulaOf(typed);
     if (changesNumber) {
         if (context.entered.frame != ImGui::GetFrameCount()) {
             context.entered = {{}, ImGui::GetFrameCount()};
