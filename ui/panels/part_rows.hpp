@@ -14,10 +14,18 @@ class PartRows {
   public:
     /// Draws the boundary layers of a part of the outer boundary or of a hole, and the part that it is periodic with:
     /// in the workspace Size, and wherever the part has some.
-    void boundaryRows(Shell &context, std::int32_t tag, const BoundaryPart &part);
+    void drawBoundary(Shell &context, std::int32_t tag, const BoundaryPart &part);
     /// Draws whether an inner line is a crack or a strip.
-    void lineRows(Shell &context, std::int32_t tag, const BoundaryPart &part);
-    /// Draws whether the faces of a region are filled by rows.
-    void mappedRow(Shell &context, std::int32_t region);
+    static void drawLine(Shell &context, std::int32_t tag, const BoundaryPart &part);
+
+  private:
+    void drawPeriodic(Shell &context, std::int32_t tag, const BoundaryPart &part);
+
+    std::vector<std::int32_t> parts_; ///< tags of boundaries, ascending, of the document with revision_
+    std::uint64_t revision_ = 0;
+};
+
+/// Draws whether the faces of a region are filled by rows.
+void mappedRow(Shell &context, std::int32_t region);
 
 } // namespace forefront
