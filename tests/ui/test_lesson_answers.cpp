@@ -193,6 +193,7 @@ TEST_CASE("Lessons: a lesson goes on in its own tab, and the drawing that it rep
     driver.rectangle({1, 1}, {4, 3});
     driver.rectangle({5, 1}, {8, 3});
     listLessons(driver.context());
+    REQUIRE_FALSE(driver.context().lessons.list.empty());
     openLesson(driver.context(), driver.context().lessons.list[0]);
     driver.settle();
     driver.click("dialog/unsaved/discard");
