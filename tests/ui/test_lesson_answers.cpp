@@ -1,4 +1,5 @@
 #include "tests/ui/edit_driver.hpp"
+#include "ui/dialogs/tab_commands.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/workspace/judging.hpp"
 
@@ -234,6 +235,46 @@ TEST_CASE("Lessons: other numbers are drawn for another seed, and answers are fo
     CHECK_FALSE(reader.has("lesson/right"));
     CHECK_FALSE(reader.has("lesson/save"));
     CHECK(reader.context().settings.lessons["10-dynamic-grid"].answered.empty());
+}
+
+TEST_CASE("Lessons: a lesson goes on in its own tab, and the drawing that it replaced comes back there") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {4, 3});
+    newTab(driver.context());
+    driver.settle();
+    driver.rectangle({1, 1}, {4, 3});
+    driver.rectangle({5, 1}, {8, 3});
+    listLessons(driver.context());
+    REQUIRE_FALSE(driver.context().lessons.list.empty());
+    openLesson(driver.context(), driver.context().lessons.list[0]);
+    driver.settle();
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    REQUIRE(driver.context().lessons.open);
+    showTab(driver.context(), 0);
+    driver.settle();
+    goToPage(driver.context(), 1);
+    driver.settle();
+    CHECK(driver.context().tabs.active() == 1);
+    showTab(driver.context(), 0);
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 1);
+    closeLesson(driver.context());
+    driver.settle();
+    CHECK(driver.context().tabs.active() == 1);
+    CHECK(driver.document().shapes.size() == 2);
+    openLesson(driver.context(), driver.context().lessons.list[0]);
+    driver.settle();
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    showTab(driver.context(), 0);
+    closeTab(driver.context(), 1);
+    driver.settle();
+    REQUIRE(driver.has("dialog/unsaved/cancel")); // about the drawing that came back
+    driver.click("dialog/unsaved/cancel");
+    driver.settle();
+    CHECK_FALSE(driver.context().lessons.open);
+    CHECK(driver.document().shapes.size() == 2);
 }
 
 } // namespace forefront::test

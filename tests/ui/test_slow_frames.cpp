@@ -283,6 +283,7 @@ TEST_CASE("Slow frames: the table of nodes, elements of a side, boundary layers 
         typist.write("v");
     });
     expectSame("boundary layers", [&](Typist &typist) {
+        typist.touch("workspace/Size");
         chooseSide(typist);
         typist.touch("inspector/layers/first");
         enter(typist, "0.02");
@@ -294,7 +295,14 @@ TEST_CASE("Slow frames: the table of nodes, elements of a side, boundary layers 
         CHECK(typist.document().layers.begin()->count == 5);
     });
     expectSame("strip", [&](Typist &typist) {
-        chooseSide(typist);
+        typist.write("l");
+        enter(typist, "2,3");
+        enter(typist, "6,3");
+        typist.tap(key::kEnter);
+        typist.write("v");
+        typist.finish();
+        typist.clickPlace({4, 3});
+        typist.settle();
         typist.touch("inspector/strip/width");
         enter(typist, "0.2");
         typist.touch("inspector/strip/rows");

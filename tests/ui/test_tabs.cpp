@@ -3,7 +3,9 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/tab_commands.hpp"
+#include "ui/editor/apply_settings.hpp"
 #include "ui/parts/shown_panels.hpp"
 
 #include <doctest/doctest.h>
@@ -298,8 +300,19 @@ TEST_CASE("Tabs: files open beside each other once, and come back at the next st
         driver.settle();
         CHECK(driver.context().tabs.size() == 3);
         CHECK(driver.context().tabs.active() == 0);
+        for (const std::size_t tab : {1U, 0U}) { // a recent file, say
+            openDocument(driver.context(), files[tab]);
+            driver.settle();
+            CHECK(driver.context().tabs.size() == 3);
+            CHECK(driver.context().tabs.active() == tab);
+        }
         closeTab(driver.context(), 2);
         driver.settle();
+        driver.context().tabs.waiting = {files[2], place / "map.dxf"};
+        const Settings saved = settingsToSave(driver.context());
+        CHECK(saved.openFiles == std::vector<std::string>{files[0].string(), files[1].string(), files[2].string()});
+        CHECK(saved.lastFile == files[2].string());
+        driver.context().tabs.waiting.clear();
     }
     setup.file.clear();
     setup.others.clear();
@@ -313,6 +326,85 @@ TEST_CASE("Tabs: files open beside each other once, and come back at the next st
     CHECK(driver.context().document.current()->shapes.size() == 1);
     driver.frames(30);
     CHECK(driver.context().settings.lastFile == files[0].string());
+}
+
+TEST_CASE("Tabs: closing the window shows no other tab below a dialog") {
+    Clerk driver;
+    driver.squares(1);
+    driver.control('T');
+    driver.squares(2);
+    driver.key('S', kWithControl);
+    driver.settle();
+    REQUIRE(driver.has("dialog/save/ok"));
+    driver.editor().input().push({.kind = InputKind::Close});
+    driver.settle();
+    CHECK(driver.active() == 1);
+    CHECK(driver.has("dialog/save/ok"));
+    CHECK_FALSE(driver.has("dialog/unsaved/cancel"));
+    CHECK(driver.context().log.entries().back().diagnostic.message.find("Close the dialog") != std::string::npos);
+    CHECK(driver.editor().running());
+}
+
+TEST_CASE("Tabs: what is read in the background is shown in the tab that asked for it") {
+    const testing::TemporaryFolder place;
+    std::ofstream(place / "square.json")
+        << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]})";
+    Clerk driver;
+    driver.squares(2);
+    driver.control('T');
+    openDocument(driver.context(), place / "square.json");
+    showTab(driver.context(), 0);
+    driver.until([&] { return !driver.context().task.busy(); });
+    driver.settle();
+    CHECK(driver.active() == 1);
+    CHECK(driver.shapes() == 1);
+    CHECK(driver.context().tabs.at(0).left->document.history.shared()->shapes.size() == 2);
+}
+
+TEST_CASE("Tabs: a picture among dropped files is no drawing") {
+    const testing::TemporaryFolder place;
+    REQUIRE(writeProject(place / "a.forefront", square()).empty());
+    Clerk driver;
+    driver.editor().input().push(
+        {.kind = InputKind::Drop, .paths = {(place / "a.forefront").string(), (place / "map.png").string()}});
+    driver.settle();
+    CHECK(driver.tabs() == 1);
+    CHECK(driver.shapes() == 1);
+    CHECK(driver.context().log.entries().back().diagnostic.message.starts_with("map.png was not added"));
+}
+
+TEST_CASE("Tabs: only new ones use up a name, and each leaves a presentation for its own workspace") {
+    Clerk driver;
+    driver.workspace(WorkspaceKind::Size);
+    driver.control('T');
+    driver.workspace(WorkspaceKind::Judge);
+    driver.context().actions.run("view.present", driver.context());
+    driver.settle();
+    REQUIRE(driver.context().presentedFrom);
+    driver.context().actions.run("file.nextTab", driver.context());
+    driver.settle();
+    CHECK(driver.context().settings.workspace == WorkspaceKind::Step);
+    driver.context().actions.run("view.present", driver.context());
+    driver.settle();
+    CHECK(driver.context().settings.workspace == WorkspaceKind::Size);
+    driver.control(key::kPageDown);
+    CHECK(driver.context().settings.workspace == WorkspaceKind::Judge);
+    driver.control('T');
+    CHECK(driver.title() == "Untitled 3");
+}
+
+TEST_CASE("Tabs: a mesh that is made at full speed goes on in the background, and is not dropped meanwhile") {
+    Clerk driver;
+    driver.squares(1);
+    Document fine = driver.document();
+    fine.spacing.size = 0.008;
+    driver.context().document.apply(std::move(fine), "Size");
+    driver.context().run.mesh();
+    driver.until([&] { return driver.run().state == RunState::Running || driver.run().complete; });
+    driver.context().tabs.open(driver.context());
+    driver.context().tabs.limitMemory(driver.context(), 0);
+    driver.until([&] { return !driver.context().tabs.at(0).left->run->session.busy(); });
+    CHECK(driver.context().tabs.at(0).left->run->session.latest()->state == RunState::Finished);
 }
 
 TEST_CASE("Tabs: titles can be read in a window of 1280 pixels, and those without room are in a list") {

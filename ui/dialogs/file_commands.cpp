@@ -12,6 +12,7 @@
 #include "ui/dialogs/picture_spacing.hpp"
 #include "ui/dialogs/question_dialog.hpp"
 #include "ui/dialogs/read_in_background.hpp"
+#include "ui/dialogs/tab_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -69,8 +70,12 @@ void afterUnsavedBut(const AgreedRevision &agreed, Shell &context, std::function
     }
 }
 
-/// Opens a project after asking about unsaved changes. Returns the faults of a file that cannot be read.
+/// Opens a project after asking about unsaved changes, or shows another tab where it is open. Returns the faults of a
+/// file that cannot be read.
 Diagnostics openProject(Shell &context, const std::filesystem::path &file, const AgreedRevision &agreed = {}) {
+    if (showOtherTabOf(context, file)) {
+        return {};
+    }
     const auto notes = std::make_shared<ImportNotes>();
     const auto read = std::make_shared<Result<StampedDocument>>(readStamped(file, notes.get()));
     if (!*read) {

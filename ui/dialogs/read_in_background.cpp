@@ -1,5 +1,6 @@
 #include "ui/dialogs/read_in_background.hpp"
 
+#include "ui/dialogs/tab_commands.hpp"
 #include "ui/parts/shell.hpp"
 
 #include <new>
@@ -51,7 +52,7 @@ void readInBackground(Shell &context, const std::filesystem::path &file, const s
 }
 
 bool replacedWhileReading(Shell &context, const std::filesystem::path &file, std::uint64_t loads) {
-    if (context.document.loads() == loads) {
+    if (showTabWith(context, loads)) { // another tab may have been shown since
         return false;
     }
     context.log.refuse(file.filename().string() + " is not shown: another document was opened while it was read");

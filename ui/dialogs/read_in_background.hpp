@@ -23,7 +23,7 @@ void readInBackground(Shell &context, const std::filesystem::path &file, const s
                       FileReader read);
 
 /// Returns true, and reports it, if another document was opened since `loads` was taken from the document store, so
-/// that a file that was read meanwhile must not replace it.
+/// that a file that was read meanwhile must not replace it. If its document is in another tab, that is shown first.
 bool replacedWhileReading(Shell &context, const std::filesystem::path &file, std::uint64_t loads);
 
 } // namespace forefront

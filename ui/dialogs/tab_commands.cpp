@@ -34,6 +34,16 @@ std::optional<std::size_t> tabOf(const Shell &context, const std::filesystem::pa
     return std::nullopt;
 }
 
+std::optional<std::size_t> tabWith(const Shell &context, std::uint64_t loads) {
+    for (std::size_t tab = 0; tab < context.tabs.size(); ++tab) {
+        const auto &left = context.tabs.at(tab).left;
+        if ((left ? left->document.loads : context.document.loads()) == loads) {
+            return tab;
+        }
+    }
+    return std::nullopt;
+}
+
 /// Opens a mesh, drawing or map in a tab once another thread has read it.
 void openForeignInTab(Shell &context, const std::filesystem::path &file, const std::shared_ptr<FileOutcome> &outcome) {
     readInBackground(
@@ -182,7 +192,28 @@ bool showTabOf(Shell &context, const std::filesystem::path &file) {
     return tab.has_value();
 }
 
+bool showOtherTabOf(Shell &context, const std::filesystem::path &file) {
+    const std::filesystem::path &shown = context.document.path();
+    return (shown.empty() || wholePath(shown) != wholePath(file)) && showTabOf(context, file);
+}
+
+bool showTabWith(Shell &context, std::uint64_t loads) {
+    const std::optional<std::size_t> tab = tabWith(context, loads);
+    if (tab) {
+        showTab(context, *tab);
+    }
+    return tab.has_value();
+}
+
+std::optional<std::size_t> tabOfLesson(const Shell &context) {
+    return tabWith(context, context.lessons.drawingLoaded);
+}
+
 void closeTab(Shell &context, std::size_t tab) {
+    if (context.lessons.open && tabOfLesson(context) == tab) {
+        showTab(context, tab);
+        context.actions.run("lesson.close", context);
+    }
     if (!severalTabs(context)) {
         afterUnsaved(context, closeLast);
         return;

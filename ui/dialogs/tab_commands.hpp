@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 namespace forefront {
 
@@ -18,13 +20,20 @@ void newTab(Shell &context);
 void freshTab(Shell &context);
 /// Asks for a file and opens it in a tab of its own.
 void openInTab(Shell &context);
-/// Opens a file in a tab of its own, or shows the tab where it is open.
+/// Opens a file in a tab of its own, or shows the tab where it is open as a project.
 void openInTab(Shell &context, const std::filesystem::path &file);
 /// Shows a tab.
 void showTab(Shell &context, std::size_t tab);
 /// Shows the tab whose document has this file. Returns false if there is none.
 bool showTabOf(Shell &context, const std::filesystem::path &file);
-/// Closes a tab after asking whether to save its unsaved changes. The last one becomes an empty drawing.
+/// Does the same, but returns false if it is the document shown that has the file.
+bool showOtherTabOf(Shell &context, const std::filesystem::path &file);
+/// Shows the tab with the document of this DocumentStore::loads(). Returns false if there is none.
+bool showTabWith(Shell &context, std::uint64_t loads);
+/// Returns the tab with the last drawing that a lesson brought; none: it is not open any more.
+std::optional<std::size_t> tabOfLesson(const Shell &context);
+/// Closes a tab after asking whether to save its unsaved changes. The last one becomes an empty drawing. A lesson that
+/// has its drawing there ends, and the drawing of the user comes back to be asked about.
 void closeTab(Shell &context, std::size_t tab);
 /// Runs `then` after asking whether to save the unsaved changes of each tab in turn.
 void afterAllUnsaved(Shell &context, const std::function<void(Shell &)> &then);

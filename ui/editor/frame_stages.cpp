@@ -1,4 +1,5 @@
 #include "core/files/files.hpp"
+#include "ui/canvas/picture.hpp"
 #include "ui/dialogs/changed_file.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/tab_commands.hpp"
@@ -112,6 +113,12 @@ void Editor::Parts::dropFlag() {
     }
 }
 
+/// Returns true while a dialog is open that previews nothing: it waits for an answer about the document shown.
+bool asksInDialog(const Shell &context) {
+    return context.dialogs.opening() ||
+           (context.dialogs.any() && dynamic_cast<const PreviewDialog *>(context.dialogs.top()) == nullptr);
+}
+
 /// Returns true while a drawing is shown that the user has not accepted yet, at a scale that may be wrong.
 bool offersDrawing(const Shell &context) {
     const auto *const dialog = dynamic_cast<const PreviewDialog *>(context.dialogs.top());
@@ -149,6 +156,41 @@ void Editor::Parts::followFront(double seconds) {
     }
 }
 
+/// Opens dropped files, the first one in place of the drawing and the others in tabs.
+void openAllDropped(Shell &context, const std::vector<std::string> &files) {
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        if (k == 0) {
+            openDropped(context, files[k]);
+        } else if (isPictureName(files[k])) {
+            context.log.refuse(std::filesystem::path(files[k]).filename().string() +
+                               " was not added: drop a picture by itself, on the drawing that it belongs to");
+        } else {
+            context.tabs.waiting.push_back(files[k]);
+        }
+    }
+}
+
+/// Returns true if a document that is open has changes that were not saved.
+bool anyUnsaved(const Shell &context) {
+    for (std::size_t tab = 0; tab < context.tabs.size(); ++tab) {
+        if (captionOf(context, tab).dirty) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Ends the program as the user has closed the window. The questions about unsaved changes show other documents, which
+/// must not happen below a dialog about this one.
+void closeWindow(Shell &context) {
+    context.dialogs.dismissPreviews(context);
+    if (asksInDialog(context) && anyUnsaved(context)) {
+        context.log.refuse("Close the dialog first: there are unsaved changes");
+    } else if (!context.actions.run("file.quit", context)) {
+        context.quit = true;
+    }
+}
+
 void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
     for (const InputEvent &event : events) {
         if (event.kind == InputKind::Close) {
@@ -158,9 +200,7 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
             context.pictures.lookNow();
             canvasInput.dispatch(event, context);
         } else if (event.kind == InputKind::Drop) {
-            for (std::size_t k = 0; k < event.paths.size(); ++k) { // the first one takes the place of the drawing
-                k == 0 ? openDropped(context, event.paths[k]) : context.tabs.waiting.push_back(event.paths[k]);
-            }
+            openAllDropped(context, event.paths);
         } else {
             canvasInput.dispatch(event, context);
         }
@@ -168,11 +208,8 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
     if (!events.empty()) {
         context.redraw = 3;
     }
-    if (context.closeRequested) {
-        context.closeRequested = false;
-        if (!context.actions.run("file.quit", context)) {
-            context.quit = true;
-        }
+    if (std::exchange(context.closeRequested, false)) {
+        closeWindow(context);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/teaching/lesson/lesson_file.hpp"
 #include "core/teaching/lesson/position_check.hpp"
 #include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/tab_commands.hpp"
 #include "ui/lessons/highlight_names.hpp"
 #include "ui/lessons/lesson_answers.hpp"
 #include "ui/parts/shell.hpp"
@@ -79,9 +80,23 @@ void restoreDrawing(Shell &context) {
     context.view.fitPending = true;
 }
 
+/// Shows the tab with the drawing of the open lesson, if there is one.
+void showTabOfLesson(Shell &context) {
+    const std::optional<std::size_t> tab = context.lessons.open ? tabOfLesson(context) : std::nullopt;
+    if (tab) {
+        showTab(context, *tab);
+    }
+}
+
+/// Returns true while the drawing of the open lesson is in a tab that is not shown.
+bool lessonIsElsewhere(const Shell &context) {
+    return tabOfLesson(context).value_or(context.tabs.active()) != context.tabs.active();
+}
+
 /// Does something that replaces the drawing, after asking about unsaved changes. A drawing that a lesson brought comes
 /// back with its page, so its changes are dropped, unless it was saved as a file.
 void afterLeaving(Shell &context, std::function<void(Shell &)> then) {
+    showTabOfLesson(context);
     if (showsLessonDrawing(context)) {
         context.dialogs.dismissPreviews(context);
         then(context);
@@ -95,6 +110,9 @@ void showDocumentOf(Shell &context, OpenLesson &open) {
     const bool untouched = open.document == open.now().document && open.revision == context.document.revision() &&
                            document->options == context.document.current()->options;
     if (!untouched) {
+        if (!open.document) { // the first drawing of the lesson
+            keepDrawing(context);
+        }
         rememberView(context);
         context.document.load(*document, {}, false, open.entry.lesson->title);
         context.lessons.drawingLoaded = context.document.loads();
@@ -225,7 +243,7 @@ void listLessons(Shell &context) {
 void openLesson(Shell &context, const LessonEntry &entry) {
     afterLeaving(context, [entry](Shell &c) {
         closeLesson(c);
-        keepDrawing(c);
+        c.lessons.drawingLoaded = showsLessonDrawing(c) ? c.lessons.drawingLoaded : 0; // another tab may have that
         c.tools.choose("select", c);
         OpenLesson open{.entry = entry};
         for (const LayerSlot &slot : c.layers) {
@@ -270,6 +288,7 @@ void closeLesson(Shell &context) {
     if (!context.lessons.open) {
         return;
     }
+    showTabOfLesson(context);
     // While the lesson is open, its layers are not kept as the user's.
     chooseWorkspace(context, context.lessons.open->workspaceBefore);
     context.called.clear();
@@ -328,6 +347,7 @@ LessonState questionState(const Shell &context) {
 }
 
 void answerChoice(Shell &context, std::size_t choice) {
+    showTabOfLesson(context); // the answer may be about the run
     OpenLesson &open = *context.lessons.open;
     const auto &question = open.now().question;
     const auto *choices = question ? std::get_if<LessonChoices>(&question->answer) : nullptr;
@@ -345,6 +365,7 @@ void answerChoice(Shell &context, std::size_t choice) {
 }
 
 void answerNumber(Shell &context) {
+    showTabOfLesson(context);
     OpenLesson &open = *context.lessons.open;
     const auto &question = open.now().question;
     const auto *number = question ? std::get_if<LessonNumber>(&question->answer) : nullptr;
@@ -365,6 +386,7 @@ void answerNumber(Shell &context) {
 }
 
 void showAnswer(Shell &context) {
+    showTabOfLesson(context);
     const auto &question = context.lessons.open->now().question;
     if (question && question->show) {
         context.lessons.open->shown = true;
@@ -374,7 +396,7 @@ void showAnswer(Shell &context) {
 }
 
 void followLesson(Shell &context) {
-    if (!context.lessons.open) {
+    if (!context.lessons.open || lessonIsElsewhere(context)) {
         return;
     }
     OpenLesson &open = *context.lessons.open;
@@ -474,7 +496,7 @@ void checkHighlights(Shell &context, const LessonPage &page) {
 void checkPage(Shell &context) {
     constexpr int kFrames = 4; // until the panel that the page shows is drawn
     OpenLesson &open = *context.lessons.open;
-    if (!open.settled || open.checked.contains(open.page) || context.dialogs.any()) {
+    if (!open.settled || open.checked.contains(open.page) || context.dialogs.any() || lessonIsElsewhere(context)) {
         return;
     }
     context.animate();

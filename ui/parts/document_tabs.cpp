@@ -31,7 +31,7 @@ void DocumentTabs::leave(Shell &context) {
     restoreColours(context);
     left->view = context.view;
     left->selection = std::exchange(context.selection, {});
-    left->workspace = context.settings.workspace;
+    left->workspace = context.presentedFrom.value_or(context.settings.workspace);
     left->exported = std::exchange(context.exported, {});
     left->document = context.document.leave();
     left->run = context.run.exchange(nullptr);
@@ -65,7 +65,9 @@ void DocumentTabs::enter(std::size_t tab, Shell &context) {
     context.view.jumps = before.jumps; // the drawing appears in its place
     context.view.pointer = before.pointer;
     context.view.facePlace.reset();
-    if (context.settings.workspace != left.workspace && !context.lessons.open) {
+    if (context.presentedFrom) { // the presentation goes on
+        context.presentedFrom = left.workspace;
+    } else if (context.settings.workspace != left.workspace && !context.lessons.open) {
         chooseWorkspace(context, left.workspace);
     }
     if (left.meshColours) {
@@ -82,6 +84,7 @@ void DocumentTabs::enter(std::size_t tab, Shell &context) {
 
 void DocumentTabs::open(Shell &context) {
     leave(context);
+    context.document.giveName();
     ++active_;
     tabs_.insert(tabs_.begin() + static_cast<std::ptrdiff_t>(active_), Tab{++lastId_, nullptr});
     context.view.fitted.reset();
@@ -118,11 +121,12 @@ void DocumentTabs::limitMemory(Shell &context, std::size_t most) {
         for (const Tab &tab : tabs_) {
             const std::size_t own = tab.left ? tab.left->run->elements() : 0;
             elements += own;
-            if (own > 0 && (oldest == nullptr || tab.left->used < oldest->used)) {
+            const bool rests = own > 0 && !tab.left->run->session.busy(); // what is being made goes on
+            if (rests && (oldest == nullptr || tab.left->used < oldest->used)) {
                 oldest = tab.left.get();
             }
         }
-        if (elements <= most) {
+        if (elements <= most || oldest == nullptr) {
             return;
         }
         oldest->run = context.run.withoutMesh(*oldest->run);

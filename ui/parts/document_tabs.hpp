@@ -55,7 +55,8 @@ class DocumentTabs {
     /// Closes a tab with its document and shows its neighbour if it was the one shown. There must be another tab.
     void close(std::size_t tab, Shell &context);
     /// Drops meshes of tabs in the background, the one left first to begin with, while they have more than `most`
-    /// elements together. They are made again when their tabs are shown. Called once per frame.
+    /// elements together. They are made again when their tabs are shown. Meshes that are being made are kept. Called
+    /// once per frame.
     void limitMemory(Shell &context, std::size_t most = kMostElements);
 
     /// Files that wait to be opened in tabs, since one is read after the other.

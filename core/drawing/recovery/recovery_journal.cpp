@@ -4,6 +4,7 @@
 #include "core/engine/platform/file_handle.hpp"
 #include "core/engine/platform/process.hpp"
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -171,7 +172,8 @@ bool RecoveryJournal::create() {
     std::error_code failed;
     std::filesystem::create_directories(folder_, failed);
     const std::string stem = std::to_string(processNumber());
-    const std::filesystem::path temporary = folder_ / (stem + ".new");
+    static std::atomic<unsigned> created = 0; // journals of several documents are created at the same time
+    const std::filesystem::path temporary = folder_ / (stem + '.' + std::to_string(++created) + ".new");
     const FileHandle descriptor = createLocked(temporary);
     if (descriptor < 0) {
         fail(std::strerror(errno));

@@ -106,13 +106,14 @@ class DocumentStore {
         open_.loads = ++loads_;
         tell(true);
     }
-    /// Opens an empty document with a name of its own and returns the one that was open, whose history is kept.
+    /// Opens an empty document and returns the one that was open, whose history is kept.
     OpenDocument leave() {
         OpenDocument fresh;
-        fresh.title = untitledName(++untitled_);
         fresh.loads = ++loads_;
         return enter(std::move(fresh));
     }
+    /// Gives a document without a file a name of its own.
+    void giveName() { open_.title = untitledName(++untitled_); }
     /// Opens a document that was left, and returns the one that was open.
     OpenDocument enter(OpenDocument other) {
         std::swap(open_, other);

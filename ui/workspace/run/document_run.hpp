@@ -41,7 +41,7 @@ struct LiveResult {
 /// How to make a mesh again that was dropped.
 struct ResumedRun {
     std::optional<std::uint64_t> position;    ///< where the run rested; none: at its end
-    std::shared_ptr<const Document> document; ///< that it was started with
+    std::shared_ptr<const Document> document; ///< that it was started with; null: it was cancelled, and is not resumed
 };
 
 /// The meshing run of one document and what is shown of it, for RunControl. While the document is in the background, a
@@ -76,7 +76,16 @@ struct DocumentRun {
     RunState loggedState = RunState::Empty;
     std::optional<ResumedRun> resumes; ///< absent: the mesh is in memory, if there is one
 
-    /// Returns the number of elements that the run has made so far and keeps in memory.
+    /// Lets live meshing know what it has started for another run of the same document.
+    void takeRevisions(const DocumentRun &other) {
+        followed = other.followed;
+        seen = other.seen;
+        seenRevision = other.seenRevision;
+        meshRevision = other.meshRevision;
+        meshRevisions = other.meshRevisions;
+    }
+    /// Returns the number of elements that the run has made so far and keeps in memory. Meshes that cannot be made
+    /// again, those of files and of Adapt, do not count.
     std::size_t elements() const { return session.latest()->quality.elements; }
 };
 

@@ -18,7 +18,7 @@ RunControl::RunControl(DocumentStore &document, MessageLog &log, BackgroundList 
       run_(std::make_unique<DocumentRun>(list.wake(), numbers_)), liveMeshing_(list, *this) {}
 
 std::unique_ptr<DocumentRun> RunControl::exchange(std::unique_ptr<DocumentRun> other) {
-    if (playing()) {
+    if (run_->session.latest()->playing) { // rather than as fast as possible
         run_->session.pause();
     }
     run_.swap(other);
@@ -33,10 +33,15 @@ std::unique_ptr<DocumentRun> RunControl::exchange(std::unique_ptr<DocumentRun> o
 
 std::unique_ptr<DocumentRun> RunControl::withoutMesh(const DocumentRun &run) const {
     auto left = std::make_unique<DocumentRun>(list().wake(), numbers_);
-    const SessionSnapshot &last = *run.session.latest();
-    if (run.started && last.shownRun > 0) {
-        const bool rests = last.state == RunState::Paused && !last.atEnd();
-        left->resumes = ResumedRun{rests ? std::optional(last.position()) : std::nullopt, run.startedWith};
+    const std::shared_ptr<const SessionSnapshot> last = run.session.latest();
+    const bool preview = last->coarsening > 1.0;
+    if (run.started && last->shownRun > 0 && !preview) {
+        const bool rests = last->state == RunState::Paused && !last->atEnd();
+        left->resumes = ResumedRun{rests ? std::optional(last->position()) : std::nullopt,
+                                   last->state == RunState::Cancelled ? nullptr : run.startedWith};
+    }
+    if (!preview) { // live meshing makes a preview again, and then the full mesh if that is not too large
+        left->takeRevisions(run);
     }
     left->breakpoints = run.breakpoints;
     left->session.stopAt(run.breakpoints);
@@ -52,7 +57,11 @@ void RunControl::resume(const ResumedRun &resumed) {
     if (run_->opened) {
         return; // it is shown instead
     }
-    if (resumed.document != document_.current()) {
+    if (!resumed.document) {
+        log_.inform("The unfinished mesh of " + document_.title() + " was dropped to save memory; mesh it again");
+    } else if (resumed.document != document_.current() && live) {
+        run_->followed = 0; // the mesh of the drawing as it is now
+    } else if (resumed.document != document_.current()) {
         log_.inform("The mesh of " + document_.title() +
                     " was dropped to save memory, and the drawing has changed since; mesh it again");
     } else if (resumed.position) {

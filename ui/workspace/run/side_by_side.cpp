@@ -35,8 +35,11 @@ bool SideBySide::follow(const RunControl &run, const Document &document) {
         return had;
     }
     const bool moved = main.shownRun != run_ || comparison != started_;
-    if (!lockstep_ && run.outOfDate()) {
-        return false; // the run on the canvas is of an older document
+    if (run.outOfDate() && (!lockstep_ || main.shownRun != run_)) { // the run on the canvas is of an older document
+        const bool had = lockstep_.has_value();                     // the runs beside it are of another one
+        lockstep_.reset();
+        shown_.clear();
+        return had;
     }
     if (!lockstep_ || (moved && !run.outOfDate())) {
         run_ = main.shownRun;
