@@ -30,6 +30,9 @@ void finishLesson(Shell &context);
 /// Shows a page of the open lesson: its document, position, layers and camera.
 void goToPage(Shell &context, std::size_t page);
 
+/// Returns true while the drawing of the open lesson is in a tab that is not shown.
+bool lessonIsElsewhere(const Shell &context);
+
 /// Returns the state of the run as it is now, which tasks are about.
 LessonState lessonState(const Shell &context);
 /// Returns the state of the run at the position of the page, which its text is about, wherever the run has moved since.
@@ -47,8 +50,5 @@ void showAnswer(Shell &context);
 void followLesson(Shell &context);
 /// Lets outlined widgets scroll into view in the first frames of a page. Called once per frame, open lesson or not.
 void revealHighlights(Shell &context);
-/// Logs what the page refers to and the run or the window does not have, once they show the page. Called once per frame
-/// while a lesson is open.
-void checkPage(Shell &context);
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #include "core/teaching/lesson/glossary.hpp"
 #include "ui/lessons/lesson_answers.hpp"
 #include "ui/lessons/lesson_player.hpp"
+#include "ui/lessons/page_check.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
