@@ -2,6 +2,7 @@
 
 #include "app/batch/cli_options.hpp"
 #include "app/batch/named_tags.hpp"
+#include "app/batch/setting_list.hpp"
 #include "app/batch/suggestion.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 namespace forefront {
 
 namespace {
-
-constexpr const char *kKeys = "first, growth, count, thickness or type";
 
 /// Sets one value of a specification. Returns what is wrong.
 std::string setValue(std::string_view key, std::string_view value, LayerSpec &spec) {
@@ -46,30 +45,18 @@ std::string setValue(std::string_view key, std::string_view value, LayerSpec &sp
 
 /// Parses one value of --layers. Returns what is wrong.
 std::string parseOne(const std::string &text, LayersArgument &layers) {
-    const std::size_t colon = text.rfind(':');
-    if (colon == std::string::npos || colon == 0) {
-        return "expected NAME:first=H, such as wing:first=1e-4,growth=1.2,count=20";
+    static constexpr std::array<std::string_view, 5> kKnown = {"first", "growth", "count", "thickness", "type"};
+    SettingList list;
+    const auto set = [&](std::string_view key, std::string_view value) { return setValue(key, value, layers.spec); };
+    if (std::string wrong = readSettings(text,
+                                         {kKnown, "first, growth, count, thickness or type",
+                                          "NAME:first=H, such as wing:first=1e-4,growth=1.2,count=20", set},
+                                         list);
+        !wrong.empty()) {
+        return wrong;
     }
-    layers.name = text.substr(0, colon);
-    std::vector<std::string_view> seen;
-    for (std::string_view rest = std::string_view(text).substr(colon + 1); !rest.empty();) {
-        const std::string_view item = rest.substr(0, rest.find(','));
-        rest.remove_prefix(std::min(rest.size(), item.size() + 1));
-        const std::string_view key = item.substr(0, item.find('='));
-        constexpr std::array<std::string_view, 5> kKnown = {"first", "growth", "count", "thickness", "type"};
-        if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end() || key.size() == item.size()) {
-            return "unknown setting '" + std::string(item) + "'; expected KEY=VALUE with " + kKeys +
-                   suggestion(key, kKnown);
-        }
-        if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
-            return std::string(key) + " is given twice";
-        }
-        seen.push_back(key);
-        if (std::string wrong = setValue(key, item.substr(key.size() + 1), layers.spec); !wrong.empty()) {
-            return wrong;
-        }
-    }
-    if (std::find(seen.begin(), seen.end(), "first") == seen.end()) {
+    layers.name = list.name;
+    if (!list.has("first")) {
         return "the height of the first layer is missing; add first=H";
     }
     const std::optional<Diagnostic> fault = layerFault(layers.spec, layers.name);

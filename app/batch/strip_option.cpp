@@ -1,6 +1,7 @@
 #include "app/batch/strip_option.hpp"
 
 #include "app/batch/named_tags.hpp"
+#include "app/batch/setting_list.hpp"
 #include "app/batch/suggestion.hpp"
 #include "core/engine/base/enum_words.hpp"
 
@@ -41,31 +42,20 @@ std::string setStripValue(std::string_view key, std::string_view value, StripSpe
 
 /// Parses one value of --strip. Returns what is wrong.
 std::string parseStrip(const std::string &text, StripArguments::Strip &strip) {
-    const std::size_t colon = text.rfind(':');
-    if (colon == std::string::npos || colon == 0) {
-        return "expected NAME:width=W,rows=N, such as wall:width=0.2,rows=2";
+    static constexpr std::array<std::string_view, 4> kKnown = {"width", "rows", "type", "region"};
+    SettingList list;
+    const auto set = [&](std::string_view key, std::string_view value) {
+        return setStripValue(key, value, strip.spec);
+    };
+    if (std::string wrong = readSettings(
+            text, {kKnown, "width, rows, type or region", "NAME:width=W,rows=N, such as wall:width=0.2,rows=2", set},
+            list);
+        !wrong.empty()) {
+        return wrong;
     }
-    strip.name = text.substr(0, colon);
-    std::vector<std::string_view> seen;
-    for (std::string_view rest = std::string_view(text).substr(colon + 1); !rest.empty();) {
-        const std::string_view item = rest.substr(0, rest.find(','));
-        rest.remove_prefix(std::min(rest.size(), item.size() + 1));
-        const std::string_view key = item.substr(0, item.find('='));
-        constexpr std::array<std::string_view, 4> kKnown = {"width", "rows", "type", "region"};
-        if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end() || key.size() == item.size()) {
-            return "unknown setting '" + std::string(item) + "'; expected KEY=VALUE with width, rows, type or region" +
-                   suggestion(key, kKnown);
-        }
-        if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
-            return std::string(key) + " is given twice";
-        }
-        seen.push_back(key);
-        if (std::string wrong = setStripValue(key, item.substr(key.size() + 1), strip.spec); !wrong.empty()) {
-            return wrong;
-        }
-    }
+    strip.name = list.name;
     for (const char *const needed : {"width", "rows"}) {
-        if (std::find(seen.begin(), seen.end(), needed) == seen.end()) {
+        if (!list.has(needed)) {
             return std::string(needed) + " is missing; expected NAME:width=W,rows=N";
         }
     }
