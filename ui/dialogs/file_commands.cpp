@@ -99,24 +99,12 @@ Diagnostics openProject(Shell &context, const std::filesystem::path &file, const
 void openForeign(Shell &context, const std::filesystem::path &file, const std::shared_ptr<FileOutcome> &outcome,
                  const AgreedRevision &agreed = {}) {
     const std::uint64_t loads = context.document.loads();
-    readInBackground(
-        context, file, outcome,
-        [&context, file, loads, agreed](const Progress &progress) -> Result<BackgroundTask::Finish> {
-            const auto notes = std::make_shared<ImportNotes>();
-            ImportOptions options;
-            options.progress = progress;
-            Result<Document> read = readDocument(file, options, notes.get());
-            if (!read) {
-                return read.faults();
-            }
-            const auto opened = std::make_shared<const StampedDocument>(StampedDocument{*std::move(read), {}});
-            return BackgroundTask::Finish([&context, file, opened, notes, loads, agreed] {
-                if (!replacedWhileReading(context, file, loads)) {
-                    afterUnsavedBut(agreed, context,
-                                    [file, opened, notes](Shell &c) { showOpened(c, *opened, *notes, file); });
-                }
-            });
-        });
+    readForeign(context, file, outcome, [file, loads, agreed](Shell &c, const auto &opened, const auto &notes) {
+        if (!replacedWhileReading(c, file, loads)) {
+            afterUnsavedBut(agreed, c,
+                            [file, opened, notes](Shell &shell) { showOpened(shell, *opened, *notes, file); });
+        }
+    });
 }
 
 /// Makes the spacing of a project, mesh or grid that of the drawing once another thread has read it.
@@ -217,6 +205,23 @@ Result<StampedDocument> readStamped(const std::filesystem::path &file, ImportNot
     options.regularFile = true;
     Result<Document> read = readDocument(file, options, notes);
     return read ? Result<StampedDocument>(StampedDocument{*std::move(read), stamp}) : read.faults();
+}
+
+void readForeign(Shell &context, const std::filesystem::path &file, const std::shared_ptr<FileOutcome> &outcome,
+                 UseForeign use) {
+    readInBackground(
+        context, file, outcome,
+        [&context, file, use = std::move(use)](const Progress &progress) -> Result<BackgroundTask::Finish> {
+            const auto notes = std::make_shared<ImportNotes>();
+            ImportOptions options;
+            options.progress = progress;
+            Result<Document> read = readDocument(file, options, notes.get());
+            if (!read) {
+                return read.faults();
+            }
+            const auto opened = std::make_shared<const StampedDocument>(StampedDocument{*std::move(read), {}});
+            return BackgroundTask::Finish([&context, use, opened, notes] { use(context, opened, notes); });
+        });
 }
 
 namespace {

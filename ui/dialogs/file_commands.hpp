@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ namespace forefront {
 
 class ActionRegistry;
 class ImportNotes;
+struct FileOutcome;
 struct Shell;
 
 /// A document with the stamp of its file from before it was read; unknown if it is not saved back to that file.
@@ -25,6 +27,14 @@ struct StampedDocument {
 };
 /// Reads a document from a regular file.
 Result<StampedDocument> readStamped(const std::filesystem::path &file, ImportNotes *notes);
+
+/// What is done with a drawing that was read, and the notes of its reader, on the thread of the window.
+using UseForeign = std::function<void(Shell &, const std::shared_ptr<const StampedDocument> &,
+                                      const std::shared_ptr<const ImportNotes> &)>;
+/// Reads a mesh, drawing or map on another thread, in place of what is being read there. Faults go to `outcome`; if
+/// that is null, they are logged.
+void readForeign(Shell &context, const std::filesystem::path &file, const std::shared_ptr<FileOutcome> &outcome,
+                 UseForeign use);
 
 /// Returns the filters of dialogs that open drawings.
 std::vector<FileFilter> drawingFilters();

@@ -1,10 +1,8 @@
 #include "ui/dialogs/tab_commands.hpp"
 
-#include "core/drawing_files/documents.hpp"
 #include "core/files/files.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
-#include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
 
 #include <imgui.h>
@@ -46,21 +44,10 @@ std::optional<std::size_t> tabWith(const Shell &context, std::uint64_t loads) {
 
 /// Opens a mesh, drawing or map in a tab once another thread has read it.
 void openForeignInTab(Shell &context, const std::filesystem::path &file, const std::shared_ptr<FileOutcome> &outcome) {
-    readInBackground(
-        context, file, outcome, [&context, file](const Progress &progress) -> Result<BackgroundTask::Finish> {
-            const auto notes = std::make_shared<ImportNotes>();
-            ImportOptions options;
-            options.progress = progress;
-            Result<Document> read = readDocument(file, options, notes.get());
-            if (!read) {
-                return read.faults();
-            }
-            const auto opened = std::make_shared<const StampedDocument>(StampedDocument{*std::move(read), {}});
-            return BackgroundTask::Finish([&context, file, opened, notes] {
-                freshTab(context);
-                showOpened(context, *opened, *notes, file);
-            });
-        });
+    readForeign(context, file, outcome, [file](Shell &c, const auto &opened, const auto &notes) {
+        freshTab(c);
+        showOpened(c, *opened, *notes, file);
+    });
 }
 
 /// Opens a project in a tab, or shows the tab where it is open. Returns the faults of a file that cannot be read.
