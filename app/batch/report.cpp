@@ -1,5 +1,6 @@
 #include "app/batch/report.hpp"
 
+#include "app/batch/quads_report.hpp"
 #include "core/engine/base/hash.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/base/version.hpp"
@@ -261,6 +262,10 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
     json.endArray();
 }
 
+bool hasQuads(const RunReport &report) { // also of single regions
+    return report.elements != Elements::Triangles || report.quads.quadrilaterals > 0;
+}
+
 } // namespace
 
 std::string statisticsJson(const MeshReport &report, bool valid, const std::vector<LimitVerdict> &verdicts) {
@@ -279,17 +284,6 @@ std::string statisticsJson(const MeshReport &report, bool valid, const std::vect
 }
 
 namespace {
-
-void addQuads(const QuadReport &quads, JsonWriter &json) {
-    json.key("quadrilaterals").beginObject();
-    json.member("front", quads.lattice ? "lattice" : "rows").member("rows", quads.rows);
-    json.member("openings", quads.openings).member("closings", quads.closings).member("searched", quads.searched);
-    json.member("added_nodes", quads.addedNodes).member("odd_edges", quads.oddEdges);
-    json.member("not_convex", quads.notConvex).member("changes", quads.changes);
-    json.member("triangles_left", quads.triangles);
-    json.member("irregular_nodes", quads.irregularNodes).member("interior_nodes", quads.innerNodes);
-    json.endObject();
-}
 
 void addLeastAngle(double asked, const LeastAngleReport &angles, JsonWriter &json) {
     json.key("least_angle").beginObject();
@@ -366,7 +360,7 @@ std::string statisticsJson(const RunReport &report) {
     if (report.leastAngle) {
         addLeastAngle(*report.leastAngle, report.angles, json);
     }
-    if (report.elements != Elements::Triangles) {
+    if (hasQuads(report)) {
         addQuads(report.quads, json);
     }
     if (report.elementOrder == ElementOrder::Second) {
@@ -431,27 +425,6 @@ std::string conformityLine(const MeshQuality &quality) {
 
 namespace {
 
-/// Returns lines on how a mesh of quadrilaterals was made and what it could not avoid.
-std::string quadLines(const RunReport &report) {
-    const QuadReport &quads = report.quads;
-    const auto counted = [](std::size_t count, const char *what) {
-        return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-    };
-    char share[16];
-    std::snprintf(share, sizeof share, "%.2f", 100.0 * quads.irregularShare());
-    std::string lines = "quadrilaterals: " + std::string(quads.lattice ? "a lattice inside two rows" : "rows") + ", " +
-                        share + " % of the interior nodes irregular";
-    if (quads.addedNodes > 0) {
-        lines += ", " + counted(quads.addedNodes, "boundary node") + " added for even loops";
-    }
-    lines += '\n';
-    if (quads.triangles > 0 && report.elements == Elements::Quads) {
-        lines += counted(quads.triangles, "triangle") + " left, where the edges of a face had to stay and are odd in " +
-                 "number\n";
-    }
-    return lines;
-}
-
 /// Returns lines on the least angle of a mesh and on the places that have smaller ones.
 std::string leastAngleLines(const RunReport &report) {
     if (!report.leastAngle) {
@@ -491,9 +464,9 @@ std::string summary(const RunReport &report) {
         cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0, static_cast<double>(report.peakBytes) / 1e6);
     const std::string rules = report.rules == FrontRules() ? "" : "changed rules: " + changesText(report.rules) + '\n';
     return leastAngleLines(report) + sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + rules + size +
-           (report.elements == Elements::Triangles ? std::string() : quadLines(report)) + layersLine(report.layers) +
-           periodicLines(report.periodic, report.boundaryNames) + crackLines(report.cracks, report.boundaryNames) +
-           text;
+           (hasQuads(report) ? quadLines(report.quads, report.elements == Elements::Quads) : std::string()) +
+           layersLine(report.layers) + periodicLines(report.periodic, report.boundaryNames) +
+           crackLines(report.cracks, report.boundaryNames) + text;
 }
 
 } // namespace forefront

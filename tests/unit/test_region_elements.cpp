@@ -72,6 +72,24 @@ TEST_CASE("Elements of regions: each region has its own shapes, conforming at th
     }
 }
 
+TEST_CASE("Elements of regions: the report counts the quadrilaterals of all parts, and plans mesh none of them") {
+    MeshingJob job = squares();
+    job.regionElements = {{1, Elements::Quads}, {3, Elements::Mixed}};
+    for (const Elements everywhere : {Elements::Triangles, Elements::Quads}) {
+        job.options.elements = everywhere;
+        const MeshingOutcome outcome = meshedJob(job);
+        std::size_t quads = 0;
+        for (const std::int32_t region : {1, 2, 3}) {
+            quads += countsOf(outcome.mesh, region).quads;
+        }
+        CHECK(outcome.quads.quadrilaterals == quads);
+    }
+    const Result<PreparedJob> plan = planMesh(job);
+    REQUIRE(plan);
+    CHECK(plan->layers == nullptr);
+    CHECK(plan->estimatedElements > 0.0);
+}
+
 TEST_CASE("Elements of regions: the same mesh where a region asks for what all have, and whole domains") {
     MeshingJob job = squares();
     const std::uint64_t hash = meshHash(meshedJob(job).mesh);

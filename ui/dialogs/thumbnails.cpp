@@ -54,7 +54,7 @@ std::shared_ptr<const Thumbnail> thumbnailOf(const Result<Document> &document, c
     const MeshingJob job = jobOf(*document);
     Progress progress;
     progress.stop = stop;
-    const Result<PreparedJob> prepared = prepare(job, progress, kElements);
+    const Result<PreparedJob> prepared = planMesh(job, progress, kElements);
     if (!prepared) {
         return thumbnail;
     }

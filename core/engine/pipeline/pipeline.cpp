@@ -50,22 +50,32 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.work = state.work;
     outcome.improvement = state.improvement;
     outcome.leastAngle = std::move(state.leastAngle);
-    outcome.quads = job.options.elements == Elements::Triangles ? state.prepared.quads : state.quadReport;
+    outcome.quads = state.prepared.quads; // of regions with shapes of their own
+    addReport(outcome.quads, state.quadReport);
     outcome.order = std::move(state.secondOrder);
     outcome.cracks = std::move(state.cracks);
     outcome.mesh = std::move(state.mesh);
     return outcome;
 }
 
-} // namespace
-
-Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, double budget) {
+Result<PreparedJob> preparedBy(std::span<const Stage> stages, const MeshingJob &job, const Progress &progress,
+                               double budget) {
     FOREFRONT_ASSERT(budget > 0.0);
     MeshingState state{.job = job, .budget = budget};
-    if (Status faults = runStages(stagesBeforeFront(), state, progress); !faults.empty()) {
+    if (Status faults = runStages(stages, state, progress); !faults.empty()) {
         return faults;
     }
     return std::move(state.prepared);
+}
+
+} // namespace
+
+Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, double budget) {
+    return preparedBy(stagesBeforeFront(), job, progress, budget);
+}
+
+Result<PreparedJob> planMesh(const MeshingJob &job, const Progress &progress, double budget) {
+    return preparedBy(stagesOfPlan(), job, progress, budget);
 }
 
 Diagnostics outOfMemory() {

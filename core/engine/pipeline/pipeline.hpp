@@ -52,6 +52,11 @@ struct PreparedJob {
 Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {},
                             double budget = std::numeric_limits<double>::infinity());
 
+/// Does the same but meshes no region whose elements have other shapes than those of the job: enough to estimate a
+/// mesh, and quick.
+Result<PreparedJob> planMesh(const MeshingJob &job, const Progress &progress = {},
+                             double budget = std::numeric_limits<double>::infinity());
+
 /// The result of a run.
 struct MeshingOutcome {
     Mesh mesh;

@@ -138,7 +138,7 @@ Status addPart(const MeshingState &state, DiscreteDomain part, Elements shape, B
         cell.region = regions.at(view.region(e));
     }
     if (shape != Elements::Triangles) {
-        report = own.quadReport;
+        addReport(report, own.quadReport);
     }
     return {};
 }
@@ -158,6 +158,23 @@ void makeEven(MeshingState &state, const std::set<Elements> &shapes) {
 }
 
 } // namespace
+
+void addReport(QuadReport &whole, const QuadReport &part) {
+    whole.rows += part.rows;
+    whole.openings += part.openings;
+    whole.closings += part.closings;
+    whole.searched += part.searched;
+    whole.lattice = whole.lattice || part.lattice;
+    whole.addedNodes += part.addedNodes;
+    whole.oddEdges += part.oddEdges;
+    whole.changes += part.changes;
+    whole.triangles += part.triangles;
+    whole.quadrilaterals += part.quadrilaterals;
+    whole.notConvex += part.notConvex;
+    whole.notConvexAt.insert(whole.notConvexAt.end(), part.notConvexAt.begin(), part.notConvexAt.end());
+    whole.irregularNodes += part.irregularNodes;
+    whole.innerNodes += part.innerNodes;
+}
 
 Status regionElementsStage(MeshingState &state, const Progress &progress) {
     const MeshingJob &job = state.meshed();

@@ -52,7 +52,7 @@ std::uint64_t outerEdges(const DiscreteDomain &boundary) {
 
 Result<RunEstimate> estimateRun(const MeshingJob &job, const Progress &progress) {
     CpuClock clock(CpuClock::Of::Program);
-    const Result<PreparedJob> prepared = prepare(job, progress);
+    const Result<PreparedJob> prepared = planMesh(job, progress);
     if (!prepared) {
         return prepared.faults();
     }

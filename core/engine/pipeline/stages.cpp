@@ -17,6 +17,10 @@ std::span<const Stage> stagesBeforeFront() {
     return kStages;
 }
 
+std::span<const Stage> stagesOfPlan() {
+    return stagesBeforeFront().first(stagesBeforeFront().size() - 1); // regionElementsStage is the last
+}
+
 namespace {
 
 bool makesTriangles(const MeshingOptions &options) {

@@ -64,9 +64,14 @@ Status periodicStage(MeshingState &state, const Progress &progress);
 /// Checks the mesh of blocks against the domain. Faults: those of verifyAgainst().
 Status verifyStage(MeshingState &state, const Progress &progress);
 
+/// Adds the report on one part of a mesh to that of the whole.
+void addReport(QuadReport &whole, const QuadReport &part);
+
 /// The stages before the front, those that make it, and those after it, in order. A front may also be made step by
 /// step, between the first and the last.
 std::span<const Stage> stagesBeforeFront();
+/// The first of the stages before the front: they plan the mesh, and mesh no region whose elements have other shapes.
+std::span<const Stage> stagesOfPlan();
 std::span<const Stage> stagesOfFront();
 std::span<const Stage> stagesAfterFront();
 /// The first of the stages after the front: they make a mesh of the shapes of the job's options.

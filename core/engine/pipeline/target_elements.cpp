@@ -78,7 +78,7 @@ class FactorSearch {
 
 /// Returns the estimated number of elements of a job.
 Result<double> estimateOf(const MeshingJob &job, std::uint64_t target, const Progress &progress) {
-    const Result<PreparedJob> prepared = prepare(job, progress, static_cast<double>(target));
+    const Result<PreparedJob> prepared = planMesh(job, progress, static_cast<double>(target));
     if (!prepared) {
         return prepared.faults();
     }
