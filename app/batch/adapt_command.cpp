@@ -305,7 +305,7 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
         ->check(positiveNumber())
         ->type_name("G");
     addMaxElementsOption(app, arguments.maxElements);
-    addUnitOption(app, arguments.form, "that of the domain, if it has one");
+    addUnitOption(app, arguments.form, "the unit of the domain, if it has one");
     app.add_option("--domain", arguments.domain, "domain to mesh; default: the area of the mesh, with its tags")
         ->type_name("IN");
     addDrawingOptions(app, arguments.drawing);

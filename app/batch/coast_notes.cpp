@@ -36,7 +36,7 @@ Diagnostics dryPresets(std::span<const std::string> presets, const SpacingSpec &
             const std::string other = (depth.negative ? "depth=" : "elevation=") + depth.raster;
             const Diagnostics one = warning("dry-domain",
                                             "--size-preset " + depth.rule + ": " + std::to_string(percent) +
-                                                " % of the nodes are above the sea; their sizes are those of the "
+                                                " % of the nodes are above the sea; they have the sizes of the "
                                                 "least depth",
                                             "if the raster has the other sign, write " + other);
             warnings.insert(warnings.end(), one.begin(), one.end());

@@ -207,7 +207,7 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     addOpenOption(app, arguments.form);
     addExtrudeOption(app, arguments.form);
     addTagsOption(app, arguments.form);
-    addUnitOption(app, arguments.form, "that of the input, if it has one");
+    addUnitOption(app, arguments.form, "the unit of the input, if it has one");
     addElevationOption(app, arguments.form.elevation);
     auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);

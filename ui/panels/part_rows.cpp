@@ -12,7 +12,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -37,11 +36,10 @@ void extentRow(Shell &context, const BoundaryPart &part, LayerSpec spec) {
     ImGui::SameLine(0, context.px(6));
     const bool heightened =
         form::optionalField(context, "inspector/layers/thickness", spec.thickness, spec.count ? "" : "as needed");
-    if (counted && count && !(*count >= 1.0 && *count <= kMaxLayers && *count == std::floor(*count))) {
-        const std::string fault = "expected a whole number from 1 to " + std::to_string(kMaxLayers);
-        ui::refuseEntry(context, "inspector/layers/count",
-                        error("bad-number", fault + ", got " + ui::number(*count, 6)), fault);
-    } else if (counted) {
+    if (counted && count && !ui::checkWhole(context, "inspector/layers/count", *count, 1.0, kMaxLayers)) {
+        return;
+    }
+    if (counted) {
         spec.count = count ? std::optional(static_cast<std::uint32_t>(*count)) : std::nullopt;
         spec.thickness = count ? std::nullopt : spec.thickness;
         applyLayers(context, part, spec);
@@ -132,10 +130,7 @@ void stripRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
         context.applyCommand(setStrip(document, part, std::nullopt), "Remove strip");
         return;
     }
-    if (changed && !(rows >= 1.0 && rows <= kMaxStripRows && rows == std::floor(rows))) {
-        const std::string fault = "expected a whole number from 1 to " + std::to_string(kMaxStripRows);
-        ui::refuseEntry(context, "inspector/strip/rows", error("bad-number", fault + ", got " + ui::number(rows, 6)),
-                        fault);
+    if (changed && !ui::checkWhole(context, "inspector/strip/rows", rows, 1.0, kMaxStripRows)) {
         return;
     }
     bool shaped = false;
