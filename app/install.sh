@@ -18,7 +18,7 @@ editor='libimgui-dev python3-glad libglfw3-dev libglm-dev libstb-dev libfreetype
     libopengl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb0 fonts-inter fonts-dejavu-core'
 tests='doctest-dev nlohmann-json3-dev libboost-dev libmuparser-dev python3 xvfb xauth xdotool xclip x11-utils imagemagick
     librsvg2-bin libhdf5-dev libgdal-dev ccache clang clang-format clang-tidy desktop-file-utils doxygen gcovr git pybind11-dev
-    python3-dev python3-numpy python3-pytest python3-setuptools python3-wheel python3-build python3-pip'
+    python3-pybind11 python3-dev python3-numpy python3-pytest python3-setuptools python3-wheel python3-build python3-pip'
 packages='libhdf5-dev libgdal-dev dpkg-dev lintian mmdebstrap fakeroot file appstream desktop-file-utils librsvg2-bin pybind11-dev python3-dev python3-numpy'
 windows='g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev'
 
