@@ -225,9 +225,10 @@ constexpr std::array kFormats = {
                      .readsDomain = true,
                      .readsMesh = true,
                      .writesMesh = true,
-                     .holds = kFirstOrder,
+                     .holds = kAllCells,
                      .keeps = "Keeps the numbers of regions and boundary parts as attributes; names and points only as "
-                              "comments."},
+                              "comments. Second order is a grid function of H1_2D_P2, so quadrilaterals of 8 nodes get "
+                              "their centre, and in a mesh with both orders all elements are of second order."},
            .recognise = looksLikeMfem,
            .readMesh = readMfem,
            .writeMesh = writeMfem},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -73,13 +74,14 @@ bool holdsAll(const FileFormat &format, CellSet kinds) {
     return format.holds.hasAll(kinds) && !(format.oneElementKind && several);
 }
 
-/// Says in which formats to write the mesh instead: those that can also be read, so no pictures.
+/// Says in which formats to write the mesh instead: those that can also be read, so no pictures, and that their
+/// extension alone stands for.
 std::string adviceFor(CellSet kinds) {
     std::vector<std::string> extensions;
+    std::set<std::string> taken;
     for (const Format &format : engineFormats().formats()) {
         const FileFormat &about = format.about;
-        if (about.writesMesh && about.readsMesh && holdsAll(about, kinds) &&
-            std::find(extensions.begin(), extensions.end(), about.extension) == extensions.end()) {
+        if (about.writesMesh && about.readsMesh && taken.insert(about.extension).second && holdsAll(about, kinds)) {
             extensions.emplace_back(about.extension);
         }
     }
