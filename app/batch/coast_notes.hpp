@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/cli_options.hpp"
 #include "app/batch/outputs.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
@@ -21,5 +22,9 @@ Diagnostics openShore(std::span<const std::string> presets, std::span<const std:
 
 /// Warns if all elevations are above the sea and an output is a file of depths: "dry-elevations".
 Diagnostics dryElevations(std::span<const double> elevations, const std::vector<Output> &outputs);
+
+/// Warns if the map is converted to metres about its middle and a GeoTIFF is used, which is not: "local-raster".
+/// `files`: of the rasters.
+Diagnostics localRasters(const DrawingArguments &drawing, std::span<const std::string> files);
 
 } // namespace forefront

@@ -220,6 +220,17 @@ class Rasters(Case):
                           "-4*bed(x,y)", "-o", "b.msh").stderr
         self.assertNotIn("used as they are", sized)  # the coordinates were converted
 
+    def test_a_local_projection_says_that_it_converts_no_raster(self):
+        self.grid(lambda x, y: -5.0, "depth.asc", size=40, cell=20.0)
+        self.gdal("gdal_translate", "-q", "-a_srs", "EPSG:3067", "-ot", "Float64", "depth.asc", "depth.tif")
+        self.convert("ll.gpkg", "-t_srs", "EPSG:4326")
+        told = self.call("mesh", "ll.gpkg", "--projection", "local", "--size", 20, "--elevation", "depth.tif", "-o", "a.14",
+                         code=1).stderr
+        self.assertIn("converts the map alone: depth.tif", told)
+        told = self.call("mesh", "ll.gpkg", "--projection", "EPSG:3067", "--size", 20, "--elevation", "depth.tif", "-o",
+                         "a.14").stderr
+        self.assertNotIn("converts the map alone", told)
+
     def test_what_a_raster_cannot_be(self):
         self.grid(lambda x, y: -1.0 if x > X + 100 else 2.0, "depth.asc")
         self.gdal("gdal_translate", "-q", "depth.asc", "bad.tif")
