@@ -412,13 +412,13 @@ class Meshing(Case):
         self.assertNotIn("add to it", self.call("check", "a.msh", "--min-island-area", "2", code=1).stderr)
         done = self.call("mesh", *options, *limits, "--fix")
         fixed = done.stderr
-        self.assertRegex(fixed, r"note: --fix: gradation 0.6 → 0.\d+.*: \d+ violations, then \d+")
+        self.assertRegex(fixed, r"note: fix: gradation 0.6 → 0.\d+.*: \d+ violations, then \d+")
         before, after = (int(n) for n in re.search(r": (\d+) violations, then (\d+), ", fixed).groups())
         self.assertLess(after, before)
         self.assertIn(f", {few} elements, then ", fixed)
         many = re.findall(r"elements, then (\d+) \[fixed\]", fixed)[-1]  # of the last round that was kept
         self.assertIn(f", {many} elements", done.stdout)
-        self.assertEqual("violates a limit" in fixed, "--fix cannot mend" in fixed)
+        self.assertEqual("violates a limit" in fixed, "no setting mends" in fixed)
         island = self.call("mesh", *options[:3], "--limit", "min-island-area=2", "--fix").stderr
         self.assertIn("remove the small ones from the drawing", island)
         for words, message in ((["--fix"], "--fix: there are no limits"), (["--limit", "beauty=1"], "unknown limit 'beauty'"),

@@ -135,7 +135,7 @@ class Mesh(_core.MeshBase):
         min_delta, min_across, max_valence. Each place that violates one is a fault. min_delta needs a node spacing: a
         mesh that was read gets it from :meth:`with_size`.
         """
-        return self._check(domain, {name.replace("_", "-"): value for name, value in limits.items()})
+        return self._check(domain, limits_of(limits))
 
     def write(self, file: Any, format: Optional[str] = None, inner_edges: Optional[bool] = None,
               progress: Any = None, **form: Any) -> List[Fault]:
@@ -236,6 +236,11 @@ class Mesh(_core.MeshBase):
 
     def __repr__(self) -> str:
         return f"<forefront.Mesh: {len(self.nodes)} nodes, {self.element_count} elements>"
+
+
+def limits_of(limits: Optional[Mapping[str, float]]) -> Dict[str, float]:
+    """Returns limits by the words of the core, which have hyphens."""
+    return {name.replace("_", "-"): float(value) for name, value in (limits or {}).items()}
 
 
 def _takes_text(file: Any) -> bool:

@@ -175,7 +175,7 @@ def face_places(domain: Domain) -> np.ndarray:
     plain = Domain(domain)
     options = _core.Options()
     options.set_improve("none")
-    coarse = _core.mesh(plain, _core.Sizes(), True, options, None)
+    coarse = _core.mesh(plain, _core.Sizes(), True, options, {}, False, None)
     faces, areas = _core.mesh_faces(coarse), coarse.quality("area")
     best = np.lexsort((-areas, faces))
     first = best[np.searchsorted(faces[best], np.arange(faces.max() + 1))]

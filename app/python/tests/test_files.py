@@ -153,3 +153,26 @@ def test_rasters_are_sizes():
     assert areas[x > 2.5].mean() > 3 * areas[x < 0.5].mean()
     with pytest.raises(ff.MeshError):
         ff.read_sizes(grid.replace(b"0.4", b"-9").replace(b"0.1", b"-1"), "esri")
+
+
+def test_parts_of_the_boundary_get_names_by_places():
+    ring = [(24.0, 60.0), (24.1, 60.0), (24.1, 60.1), (24.0, 60.1), (24.0, 60.0)]
+    domain = ff.Domain.from_geojson({"type": "Polygon", "coordinates": [ring]}, degrees="local",
+                                    parts={"sea": ((24.0, 60.0), (24.1, 60.0))})
+    mesh = ff.mesh(domain, 1000.0)
+    places = mesh.nodes[mesh.nodes_of("sea")]
+    assert np.ptp(places[:, 1]) < 20 and np.ptp(places[:, 0]) > 5000  # the southern side, in metres
+    plate = ff.Domain()
+    plate.add_loop([(0, 0), (4, 0), (4, 2), (0, 2)])
+    plate.add_circle((2, 1), 0.5)
+    plate.name_part("top", (4, 2), (0, 2))
+    plate.name_part("hole", (2, 1.4))
+    assert [note.message.split("'")[1] for note in plate.notes] == ["top", "hole"]
+    mesh = ff.mesh(plate, 0.3)
+    assert set(mesh.nodes[mesh.nodes_of("top")][:, 1]) == {2.0}
+    assert np.allclose(np.hypot(*(mesh.nodes[mesh.nodes_of("hole")] - (2, 1)).T), 0.5, atol=1e-9)
+    with pytest.raises(ff.MeshError) as caught:
+        plate.name_part("far", (90, 90), (91, 90))
+    assert caught.value.faults[0].code == "part-place"
+    with pytest.raises(ValueError, match="name"):
+        plate.name_part("", (0, 0))
