@@ -138,7 +138,7 @@ class MfemReader {
         if (!line.starts_with("MFEM mesh v1.0") && !line.starts_with("MFEM mesh v1.2")) {
             return scanner_.fail(place, "unknown-version",
                                  "expected MFEM mesh v1.0 or v1.2, found " + inQuotes(line.substr(0, 40)),
-                                 "save it from MFEM as a mesh without refinement or NURBS");
+                                 "save it from MFEM as a mesh without refinement, NURBS and sets of attributes");
         }
         scanner_.skipLine();
         std::int64_t dimension = 0;
