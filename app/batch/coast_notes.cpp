@@ -65,6 +65,16 @@ Diagnostics dryElevations(std::span<const double> elevations, const std::vector<
                    "if the values are depths, change their sign");
 }
 
+Diagnostics otherSystem(const std::string &file, const MapSystem &raster, const MapSystem &map) {
+    if (raster.code.empty() || map.code.empty() || raster.code == map.code) {
+        return {};
+    }
+    return warning("raster-system",
+                   file + " is in " + raster.code + " and the map in " + map.code +
+                       "; the raster is used in its own coordinates",
+                   "--projection " + map.code + " converts it");
+}
+
 Diagnostics localRasters(const DrawingArguments &drawing, std::span<const std::string> files) {
     const auto isGeoTiff = [](const std::string &file) {
         const std::string extension = lowerCase(std::filesystem::path(file).extension().string());

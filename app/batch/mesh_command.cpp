@@ -105,8 +105,8 @@ Diagnostics writeResults(const MeshArguments &arguments, const MeshForm &form, c
     MeshView mesh(outcome);
     std::vector<double> elevations;
     if (arguments.form.elevation) {
-        Result<std::vector<double>> read =
-            readElevations(*arguments.form.elevation, mesh, arguments.drawing.projection, arguments.quiet, calls);
+        Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, arguments.drawing.projection,
+                                                          form.system, arguments.quiet, calls);
         if (!read) {
             return read.faults();
         }

@@ -87,7 +87,8 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
                                : arguments.expression       ? "--spacing"
                                : file                       ? "--spacing-file"
                                                             : nullptr;
-    if (Diagnostics faults = addRasters(arguments.rasters, arguments.drawing.projection, arguments.quiet, spacing);
+    if (Diagnostics faults =
+            addRasters(arguments.rasters, arguments.drawing.projection, read.system, arguments.quiet, spacing);
         !faults.empty()) {
         return faults;
     }

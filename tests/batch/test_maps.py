@@ -231,6 +231,18 @@ class Rasters(Case):
                          "a.14").stderr
         self.assertNotIn("converts the map alone", told)
 
+    def test_a_raster_in_another_system_is_told(self):
+        self.grid(lambda x, y: -5.0, "depth.asc", size=40, cell=20.0)
+        for code in (32634, 3067):
+            self.gdal("gdal_translate", "-q", "-a_srs", f"EPSG:{code}", "-ot", "Float64", "depth.asc", f"d{code}.tif")
+        self.convert("map.gpkg")
+        words = "d32634.tif is in EPSG:32634 and the map in EPSG:3067"
+        for options in (("--size", 20, "--elevation"), ("--spacing", "20+0*d(x,y)", "--raster")):
+            for code, told in ((32634, True), (3067, False)):
+                file = f"d{code}.tif" if options[-1] == "--elevation" else f"d=d{code}.tif"
+                said = self.call("mesh", "map.gpkg", *options, file, "-o", "a.msh" if told else "a.14").stderr
+                self.assertEqual(words in said, told, said)
+
     def test_what_a_raster_cannot_be(self):
         self.grid(lambda x, y: -1.0 if x > X + 100 else 2.0, "depth.asc")
         self.gdal("gdal_translate", "-q", "depth.asc", "bad.tif")
