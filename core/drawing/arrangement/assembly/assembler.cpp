@@ -123,7 +123,7 @@ void Assembler::decideFates() {
                 return input_.contours[run.contour].rule == FillRule::EvenOdd ? run.times % 2 == 0 : run.times == 0;
             });
         if (fate_[e] == Fate::Inner && folded) {
-            fate_[e] = Fate::Folded;
+            fate_[e] = input_.keepFolds && inside(faces_.left[e]) ? Fate::Constraint : Fate::Folded;
         }
         if (!input_.clips.empty() && !kept(e)) {
             fate_[e] = clippedFate(e, fate_[e]);
