@@ -1,5 +1,7 @@
 """Files, checks and figures."""
 import io
+import json
+import pickle
 import sys
 import types
 
@@ -176,3 +178,21 @@ def test_parts_of_the_boundary_get_names_by_places():
     assert caught.value.faults[0].code == "part-place"
     with pytest.raises(ValueError, match="name"):
         plate.name_part("", (0, 0))
+
+
+def test_values_are_told_where_they_are_left_out_and_survive_pickling(tmp_path):
+    mesh = ff.mesh([(0, 0), (1, 0), (0, 1)], 0.3)
+    mesh.node_values["u"] = mesh.nodes[:, 0].copy()
+    notes = mesh.write(tmp_path / "a.vtu")
+    assert [note.code for note in notes] == ["dropped-fields"] and notes[0].severity == "note" and "u" in notes[0].message
+    assert np.array_equal(pickle.loads(pickle.dumps(mesh)).node_values["u"], mesh.nodes[:, 0])
+
+
+def test_names_are_a_property_of_features_of_a_file_too(tmp_path):
+    feature = {"type": "Feature", "properties": {"soil": "clay"},
+               "geometry": {"type": "Polygon", "coordinates": [[(0, 0), (4, 0), (4, 2), (0, 2), (0, 0)]]}}
+    file = tmp_path / "soil.geojson"
+    file.write_text(json.dumps({"type": "FeatureCollection", "features": [feature]}))
+    assert "clay" in ff.mesh(file, 0.5, names="soil").region_names.values()
+    with pytest.raises(ValueError, match="names: only features"):
+        ff.mesh([(0, 0), (4, 0), (4, 2)], 0.5, names="soil")
