@@ -153,6 +153,7 @@ TEST_CASE("DXF: a side that two outlines share stays as a line between them") {
     }
     CHECK(between == 1);
     CHECK(countOf(notes, "runs back along itself") == 0);
+    CHECK(countOf(notes, "shared by neighbours into an inner line") == 1);
     // Where an outline goes out and back, nothing is left.
     const Domain spike =
         domainIn(drawing("0 LWPOLYLINE 8 A 90 6 70 1 10 0 20 0 10 10 20 0 10 10 20 10 10 15 20 10 10 10 "
