@@ -102,7 +102,7 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
     SpacingSpec spec;
     spec.size = arguments.size;
     spec.expression = arguments.expression;
-    if (Diagnostics faults = addRasters(arguments.rasters, arguments.drawing.projection, false, spec);
+    if (Diagnostics faults = addRasters(arguments.rasters, arguments.drawing.projection, {}, false, spec);
         !faults.empty()) {
         return faults;
     }

@@ -198,11 +198,27 @@ void addInputFormatOption(CLI::App &app, const std::string &input, std::string &
         ->type_name("ID");
 }
 
+namespace {
+
+/// Takes a folder as completion writes it, "case.foam/", for its name.
+CLI::Validator withoutLastSlash() {
+    return {[](std::string &path) {
+                while (path.size() > 1 && path.back() == '/') {
+                    path.pop_back();
+                }
+                return std::string();
+            },
+            ""};
+}
+
+} // namespace
+
 CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
                               std::vector<std::string> &formats, MeshForm &form) {
     auto *output = app.add_option("-o,--output", outputs,
                                   "mesh to write; its extension sets the format; -: standard output; can be repeated")
                        ->allow_extra_args(false)
+                       ->transform(withoutLastSlash())
                        ->type_name("OUT");
     app.add_option("--format", formats, "formats of the outputs, in the order of -o: " + formatIds())
         ->allow_extra_args(false)

@@ -16,6 +16,7 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/quads/recombine.hpp"
@@ -103,8 +104,10 @@ Diagnostics checkConverted(const Mesh &mesh, const ConvertArguments &arguments) 
         Diagnostics faults = checkExport(*formatOf(output), mesh, exportOptionsOf(arguments.form, mesh));
         for (Diagnostic &fault : faults) {
             fault.file = isStandardStream(output.path) ? "" : output.path.string();
-            fault.advice += fault.advice.empty() ? "split the elements with --triangles"
-                                                 : ", or split the elements with --triangles";
+            if (fault.code == "unsupported-elements") {
+                fault.advice += fault.advice.empty() ? "split the elements with --triangles"
+                                                     : ", or split the elements with --triangles";
+            }
         }
         if (!faults.empty()) {
             return faults;
@@ -197,7 +200,7 @@ Diagnostics setElevations(const MeshView &mesh, const ConvertArguments &argument
         }
         return {};
     }
-    Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, {}, arguments.quiet);
+    Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, {}, {}, arguments.quiet);
     if (!read) {
         return read.faults();
     }
@@ -249,6 +252,12 @@ int runConvert(const ConvertArguments &arguments) {
         return refuse(
             allFormats().locateFaults(file->path, error("empty-mesh", "the mesh has no elements"), file->options),
             interrupt);
+    }
+    if (isClockwise(mesh)) {
+        mesh = turned(std::move(mesh));
+        if (!arguments.quiet) {
+            printFaults(noteOf("clockwise", "all elements are clockwise; they are written turned the other way"));
+        }
     }
     if (const Diagnostics faults = changeElements(mesh, arguments, progress); !faults.empty()) {
         return refuse(allFormats().locateFaults(file->path, faults, file->options), interrupt);

@@ -1,6 +1,7 @@
 #include "app/batch/elements_option.hpp"
 
 #include "app/batch/named_tags.hpp"
+#include "app/batch/option_table.hpp"
 #include "app/batch/suggestion.hpp"
 
 #include <cstdint>
@@ -13,6 +14,7 @@ void addElementsOption(CLI::App &app, ElementsArguments &arguments) {
            "--elements", arguments.texts,
            "triangles (default), quads: quadrilaterals everywhere, or mixed: quadrilaterals where they are well "
            "shaped, else triangles; with a region, as in quads:soil, the shapes there; can be repeated")
+        ->check(offering(wordsOf<Elements>()))
         ->allow_extra_args(false)
         ->type_name("SHAPES[:REGION]");
 }

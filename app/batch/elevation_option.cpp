@@ -1,5 +1,6 @@
 #include "app/batch/elevation_option.hpp"
 
+#include "app/batch/coast_notes.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/output_formats.hpp"
 #include "core/engine/base/letter_case.hpp"
@@ -68,7 +69,7 @@ bool isElevationFile(const std::string &elevation) {
 }
 
 Result<std::vector<double>> readElevations(const std::string &elevation, const MeshView &mesh,
-                                           const std::string &projection, bool quiet,
+                                           const std::string &projection, const MapSystem &map, bool quiet,
                                            const std::optional<ElevationCalls> &calls) {
     if (!isElevationFile(elevation)) {
         return expressionElevations(elevation, mesh, calls);
@@ -81,6 +82,7 @@ Result<std::vector<double>> readElevations(const std::string &elevation, const M
         return raster.faults();
     }
     printNotes(notes, quiet);
+    printFaults(otherSystem(elevation, notes.contents().system, map));
     Result<std::vector<double>> values = elevationsOf(mesh, *raster);
     if (values) {
         return values;

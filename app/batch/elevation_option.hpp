@@ -38,7 +38,7 @@ bool isElevationFile(const std::string &elevation);
 /// Returns the elevations of the nodes of a mesh by the value of --elevation; prints the notes of its file.
 /// `projection`: the reference system of the mesh, see ImportOptions::projection.
 Result<std::vector<double>> readElevations(const std::string &elevation, const MeshView &mesh,
-                                           const std::string &projection, bool quiet,
+                                           const std::string &projection, const MapSystem &map, bool quiet,
                                            const std::optional<ElevationCalls> &calls = {});
 
 } // namespace forefront

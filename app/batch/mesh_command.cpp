@@ -4,7 +4,6 @@
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/estimate_report.hpp"
 #include "app/batch/exit_code.hpp"
-#include "app/batch/fix_option.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_job.hpp"
 #include "app/batch/option_notes.hpp"
@@ -13,6 +12,7 @@
 #include "app/batch/report.hpp"
 #include "app/batch/several_inputs.hpp"
 #include "app/batch/unit_option.hpp"
+#include "core/drawing/commands/mesh_within_limits.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
@@ -68,14 +68,6 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
     return notes;
 }
 
-/// Returns the limits of a project with those of the command line in their place where both are given.
-MeshLimits allLimits(MeshLimits limits, const MeshLimits &given) {
-    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
-        limits[limit] = given[limit] ? given[limit] : limits[limit];
-    }
-    return limits;
-}
-
 /// Meshes a job within its limits, and leaves the changed job. Prints the remarks.
 Result<MeshingOutcome> fixedMesh(const MeshLimits &limits, const Progress &progress, bool quiet, MeshingJob &job) {
     Result<FixedMesh> fixed = meshWithinLimits(job, limits, progress);
@@ -113,8 +105,8 @@ Diagnostics writeResults(const MeshArguments &arguments, const MeshForm &form, c
     MeshView mesh(outcome);
     std::vector<double> elevations;
     if (arguments.form.elevation) {
-        Result<std::vector<double>> read =
-            readElevations(*arguments.form.elevation, mesh, arguments.drawing.projection, arguments.quiet, calls);
+        Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, arguments.drawing.projection,
+                                                          form.system, arguments.quiet, calls);
         if (!read) {
             return read.faults();
         }
@@ -234,7 +226,7 @@ int runMesh(const MeshArguments &arguments) {
         const Result<RunEstimate> estimate = bar.during({}, [&] { return estimateRun(job, progress); });
         return estimate ? printEstimate(arguments, *estimate, job.options, interrupt) : refuseRun(estimate.faults());
     }
-    const MeshLimits limits = allLimits(read->limits, arguments.limits);
+    const MeshLimits limits = mergedLimits(read->limits, arguments.limits);
     if (arguments.fix && !limits.any()) {
         return wrongUsage("forefront mesh", "--fix: there are no limits; add --limit NAME=VALUE");
     }

@@ -1,5 +1,7 @@
 #include "app/batch/mesh_job.hpp"
 
+#include "app/batch/coast_notes.hpp"
+#include "app/batch/elevation_option.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/part_options.hpp"
@@ -14,7 +16,9 @@
 #include "core/files/files.hpp"
 
 #include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -83,7 +87,8 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
                                : arguments.expression       ? "--spacing"
                                : file                       ? "--spacing-file"
                                                             : nullptr;
-    if (Diagnostics faults = addRasters(arguments.rasters, arguments.drawing.projection, arguments.quiet, spacing);
+    if (Diagnostics faults =
+            addRasters(arguments.rasters, arguments.drawing.projection, read.system, arguments.quiet, spacing);
         !faults.empty()) {
         return faults;
     }
@@ -157,6 +162,18 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
     return {};
 }
 
+/// Returns the files of the rasters that sizes and elevations come from.
+std::vector<std::string> rasterFiles(const MeshArguments &arguments) {
+    std::vector<std::string> files;
+    for (const std::string &raster : arguments.rasters) {
+        files.push_back(raster.substr(raster.find('=') + 1));
+    }
+    if (arguments.form.elevation && isElevationFile(*arguments.form.elevation)) {
+        files.push_back(*arguments.form.elevation);
+    }
+    return files;
+}
+
 } // namespace
 
 Result<MeshFiles> openFiles(const MeshArguments &arguments) {
@@ -195,6 +212,7 @@ Result<ReadJob> readJob(const MeshArguments &arguments, const MeshFiles &files, 
     }
     read->system = notes.contents().system;
     printNotes(notes, arguments.quiet);
+    printFaults(localRasters(arguments.drawing, rasterFiles(arguments)));
     const Diagnostics faults =
         bar.during("reading", [&] { return applySpacing(arguments, files.spacing, *read, spacingNotes); });
     if (!faults.empty()) {

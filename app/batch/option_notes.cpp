@@ -36,18 +36,7 @@ Diagnostics replacedSpacing(const std::string &option, const SpacingSpec &spacin
 }
 
 Diagnostics violatedLimits(const MeshView &mesh, const MeshLimits &limits, const SpacingField *spacing) {
-    Diagnostics warnings;
-    if (!limits.any()) {
-        return warnings;
-    }
-    for (const LimitVerdict &verdict : checkLimits(mesh, limits, spacing, 1)) {
-        if (!verdict.met()) {
-            Diagnostics warning = noteOf("limit", "the mesh violates a limit: " + toString(verdict),
-                                         "forefront check lists the places", Severity::Warning);
-            warnings.push_back(std::move(warning.front()));
-        }
-    }
-    return warnings;
+    return limits.any() ? warningsOf(checkLimits(mesh, limits, spacing, 1)) : Diagnostics();
 }
 
 } // namespace forefront

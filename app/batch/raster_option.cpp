@@ -1,5 +1,6 @@
 #include "app/batch/raster_option.hpp"
 
+#include "app/batch/coast_notes.hpp"
 #include "app/batch/inputs.hpp"
 #include "core/engine/spacing/parts/expression/spacing_functions.hpp"
 #include "core/engine/spacing/spec/size_presets.hpp"
@@ -69,8 +70,8 @@ std::string checkRasters(const std::vector<std::string> &rasters, const std::vec
     return {};
 }
 
-Diagnostics addRasters(const std::vector<std::string> &rasters, const std::string &projection, bool quiet,
-                       SpacingSpec &spacing) {
+Diagnostics addRasters(const std::vector<std::string> &rasters, const std::string &projection, const MapSystem &map,
+                       bool quiet, SpacingSpec &spacing) {
     ImportOptions options;
     options.projection = projection;
     for (const std::string &text : rasters) {
@@ -81,6 +82,7 @@ Diagnostics addRasters(const std::vector<std::string> &rasters, const std::strin
             return raster.faults();
         }
         printNotes(notes, quiet);
+        printFaults(otherSystem(file, notes.contents().system, map));
         spacing.rasters[name] = std::make_shared<const Raster>(std::move(*raster));
     }
     return {};

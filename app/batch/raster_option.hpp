@@ -22,7 +22,7 @@ std::string checkRasters(const std::vector<std::string> &rasters, const std::vec
 
 /// Reads the files of --raster and adds them to a spacing; prints the notes of the files. A raster takes the place of
 /// one with the same name. `projection`: see ImportOptions.
-Diagnostics addRasters(const std::vector<std::string> &rasters, const std::string &projection, bool quiet,
-                       SpacingSpec &spacing);
+Diagnostics addRasters(const std::vector<std::string> &rasters, const std::string &projection, const MapSystem &map,
+                       bool quiet, SpacingSpec &spacing);
 
 } // namespace forefront

@@ -267,7 +267,7 @@ class ScriptRun {
             return faults;
         }
         const Result<std::vector<double>> elevations =
-            form->elevation ? readElevations(*form->elevation, mesh, projection_, arguments_.quiet, calls)
+            form->elevation ? readElevations(*form->elevation, mesh, projection_, system_, arguments_.quiet, calls)
                             : Result<std::vector<double>>(std::vector<double>());
         if (!elevations) {
             return elevations.faults();

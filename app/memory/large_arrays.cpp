@@ -1,6 +1,6 @@
 // The programs' operator new: large arrays and the heap behind them get pages of 2 MiB. The library leaves operator new
 // to the programs that use it.
-#include "core/engine/base/large_pages.hpp"
+#include "core/engine/platform/large_pages.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,5 +1,6 @@
 #include "core/files/files.hpp"
 
+#include "core/engine/base/letter_case.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/common/solid_mesh.hpp"
 #include "core/files/common/tagged_cells.hpp"
@@ -172,7 +173,9 @@ std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path
     }
     for (const char *extension : format->about.files) {
         files.push_back(path);
-        files.back().replace_extension(extension);
+        if (lowerCase(path.extension().string()) != extension) { // A.SLF stays as it is
+            files.back().replace_extension(extension);
+        }
     }
     return files;
 }

@@ -47,6 +47,8 @@ struct FileFormat {
     bool readsSpacing = false;
     bool readsFields = false; ///< its meshes have values of nodes and elements
     bool hasLayers = false;   ///< a file has named layers, of which ImportOptions::layer chooses
+    /// Programs that read it take the corners of all elements for counter-clockwise without looking.
+    bool counterClockwise = false;
     /// The kinds of cells that its files hold. Meshes with others are not written.
     CellSet holds = {};
     /// Its lines may cross, touch and overlap: reading arranges them (see ImportOptions::weldTolerance).

@@ -1,9 +1,11 @@
+#include "core/engine/mesh/orientation.hpp"
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/files.hpp"
 #include "core/files/format.hpp"
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -73,13 +75,14 @@ bool holdsAll(const FileFormat &format, CellSet kinds) {
     return format.holds.hasAll(kinds) && !(format.oneElementKind && several);
 }
 
-/// Says in which formats to write the mesh instead: those that can also be read, so no pictures.
+/// Says in which formats to write the mesh instead: those that can also be read, so no pictures, and that their
+/// extension alone stands for.
 std::string adviceFor(CellSet kinds) {
     std::vector<std::string> extensions;
+    std::set<std::string> taken;
     for (const Format &format : engineFormats().formats()) {
         const FileFormat &about = format.about;
-        if (about.writesMesh && about.readsMesh && holdsAll(about, kinds) &&
-            std::find(extensions.begin(), extensions.end(), about.extension) == extensions.end()) {
+        if (about.writesMesh && about.readsMesh && taken.insert(about.extension).second && holdsAll(about, kinds)) {
             extensions.emplace_back(about.extension);
         }
     }
@@ -113,6 +116,31 @@ Status checkElements(const FileFormat &format, const MeshView &mesh) {
                  adviceFor(kinds));
 }
 
+namespace {
+
+/// Refuses clockwise elements where programs would take them for others, or extruded ones would be inside out.
+Status checkTurns(const FileFormat &format, const MeshView &mesh, const ExportOptions &options) {
+    if (!format.counterClockwise && !options.extrusion) {
+        return {};
+    }
+    const ClockwiseElements found = clockwiseElements(mesh);
+    if (found.count == 0) {
+        return {};
+    }
+    const bool all = found.count == mesh.elementCount();
+    Diagnostics faults =
+        error("clockwise",
+              (all ? std::string("all") : std::to_string(found.count) + " of " + std::to_string(mesh.elementCount())) +
+                  " elements are clockwise; " +
+                  (options.extrusion ? std::string("extruded ones would be inside out")
+                                     : std::string(format.name) + " files need them counter-clockwise"),
+              all ? "turn the elements" : "a mesh with elements of both kinds is folded or faulty; correct it");
+    faults.front().at = mesh.nodes[index(mesh.cornersOf(found.first)[0])];
+    return faults;
+}
+
+} // namespace
+
 Status checkExport(const FileFormat &format, const MeshView &mesh, const ExportOptions &options) {
     if (options.extrusion && !format.holdsSolids) {
         std::vector<std::string> ids;
@@ -140,7 +168,10 @@ Status checkExport(const FileFormat &format, const MeshView &mesh, const ExportO
                          "extrude the mesh in fewer layers");
         }
     }
-    return checkElements(format, mesh);
+    if (Status unsupported = checkElements(format, mesh); !unsupported.empty()) {
+        return unsupported;
+    }
+    return checkTurns(format, mesh, options);
 }
 
 } // namespace forefront

@@ -25,6 +25,7 @@ import zlib
 from unittest import mock
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
+SAMPLES = pathlib.Path(__file__).parents[2] / "assets" / "samples"
 STATS = ["nodes", "elements", "area", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "delta_area_mean",
          "edge_length_min", "edge_length_max", "min_angle_deg",
          "max_angle_deg", "front_mean", "neighbours_mean", "considered_mean", "tests_mean", "cells_mean",
@@ -412,13 +413,13 @@ class Meshing(Case):
         self.assertNotIn("add to it", self.call("check", "a.msh", "--min-island-area", "2", code=1).stderr)
         done = self.call("mesh", *options, *limits, "--fix")
         fixed = done.stderr
-        self.assertRegex(fixed, r"note: --fix: gradation 0.6 → 0.\d+.*: \d+ violations, then \d+")
+        self.assertRegex(fixed, r"note: fix: gradation 0.6 → 0.\d+.*: \d+ violations, then \d+")
         before, after = (int(n) for n in re.search(r": (\d+) violations, then (\d+), ", fixed).groups())
         self.assertLess(after, before)
         self.assertIn(f", {few} elements, then ", fixed)
         many = re.findall(r"elements, then (\d+) \[fixed\]", fixed)[-1]  # of the last round that was kept
         self.assertIn(f", {many} elements", done.stdout)
-        self.assertEqual("violates a limit" in fixed, "--fix cannot mend" in fixed)
+        self.assertEqual("violates a limit" in fixed, "no setting mends" in fixed)
         island = self.call("mesh", *options[:3], "--limit", "min-island-area=2", "--fix").stderr
         self.assertIn("remove the small ones from the drawing", island)
         for words, message in ((["--fix"], "--fix: there are no limits"), (["--limit", "beauty=1"], "unknown limit 'beauty'"),
@@ -486,6 +487,47 @@ class Meshing(Case):
         piped = self.call("mesh", "inner.poly", "-o", "-", "--format", "su2")
         self.assertIn("[inner-edges]", piped.stderr)
         self.assertNotIn("boundary_9", piped.stdout)
+
+    def test_clockwise_meshes_are_turned_and_folded_ones_refused_where_it_matters(self):
+        grid = "g\n{}\n" + "".join(f"{n} {x} {y} 1\n" for n, x, y in ((1, 0, 0), (2, 1, 0), (3, 1, 1), (4, 0, 1))) + "{}0\n0\n0\n0\n"
+        both = "1 3 1 3 2\n2 3 1 4 3\n"
+        (self.path / "cw.14").write_text(grid.format("2 4", both))
+        (self.path / "folded.14").write_text(grid.format("2 4", "1 3 1 2 3\n2 3 1 4 3\n"))
+        said = self.call("convert", "cw.14", "-o", "a.14", "-o", "a.foam", "-o", "a.vtu").stderr
+        self.assertIn("all elements are clockwise; they are written turned", said)
+        lines = (self.path / "a.14").read_text().splitlines()
+        self.assertEqual([line.split()[2:] for line in lines[6:8]], [["1", "2", "3"], ["1", "3", "4"]])
+        self.assertIn(" 20", "\n".join(lines[8:]))  # land, not an island
+        for name in ("b.14", "b.gr3", "b.foam", "b.slf", "b.nc", "b.tsh"):
+            said = self.call("convert", "folded.14", "-o", name, code=1).stderr
+            self.assertIn("1 of 2 elements are clockwise", said)
+            self.assertNotIn("--triangles", said)
+            self.assertFalse((self.path / name).exists())
+        self.call("convert", "folded.14", "-o", "b.vtu")  # to look at it
+        self.assertIn("inside out", self.call("convert", "folded.14", "-o", "c.vtu", "--extrude", 1, code=1).stderr)
+
+    def test_names_of_outputs_stay_as_given(self):
+        self.call("mesh", SAMPLES / "lake.json", "-o", "LAKE.SLF", "-o", "case.foam/", "-q")
+        self.assertTrue((self.path / "LAKE.SLF").is_file() and not (self.path / "LAKE.slf").exists())
+        self.assertTrue((self.path / "case.foam" / "constant" / "polyMesh" / "faces").is_file())
+
+    def test_single_precision_of_selafin_is_small_against_the_elements(self):
+        (self.path / "s.poly").write_text("4 2 0 0\n1 90000 5000\n2 90001 5000\n3 90001 5001\n4 90000 5001\n"
+                                          "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n")
+        said = self.call("mesh", "s.poly", "--size", 0.02, "-o", "s.slf").stderr
+        self.assertIn("single precision from the origin (90000, 5000)", said)
+
+    def test_units_of_ugrid(self):
+        for unit, word in (("mm", b"mm"), ("ft", b"foot"), (None, b"m")):
+            self.call("mesh", SAMPLES / "lake.json", "-o", "u.nc", "-q", *(("--unit", unit) if unit else ()))
+            data = (self.path / "u.nc").read_bytes()
+            at = data.index(b"units", data.index(b"mesh2d_node_x", data.index(b"projection_x_coordinate") - 200))
+            length = int.from_bytes(data[at + 12:at + 16], "big")
+            self.assertEqual(data[at + 16:at + 16 + length], word)
+
+    def test_a_crack_is_no_island(self):
+        self.call("mesh", SAMPLES / "crack.json", "-o", "k.msh", "-q")
+        self.call("check", "k.msh", "--min-island-area", 10)
 
     def test_open_names_the_open_boundaries_of_grids(self):
         square = poly([SQUARE])

@@ -220,6 +220,29 @@ class Rasters(Case):
                           "-4*bed(x,y)", "-o", "b.msh").stderr
         self.assertNotIn("used as they are", sized)  # the coordinates were converted
 
+    def test_a_local_projection_says_that_it_converts_no_raster(self):
+        self.grid(lambda x, y: -5.0, "depth.asc", size=40, cell=20.0)
+        self.gdal("gdal_translate", "-q", "-a_srs", "EPSG:3067", "-ot", "Float64", "depth.asc", "depth.tif")
+        self.convert("ll.gpkg", "-t_srs", "EPSG:4326")
+        told = self.call("mesh", "ll.gpkg", "--projection", "local", "--size", 20, "--elevation", "depth.tif", "-o", "a.14",
+                         code=1).stderr
+        self.assertIn("converts the map alone: depth.tif", told)
+        told = self.call("mesh", "ll.gpkg", "--projection", "EPSG:3067", "--size", 20, "--elevation", "depth.tif", "-o",
+                         "a.14").stderr
+        self.assertNotIn("converts the map alone", told)
+
+    def test_a_raster_in_another_system_is_told(self):
+        self.grid(lambda x, y: -5.0, "depth.asc", size=40, cell=20.0)
+        for code in (32634, 3067):
+            self.gdal("gdal_translate", "-q", "-a_srs", f"EPSG:{code}", "-ot", "Float64", "depth.asc", f"d{code}.tif")
+        self.convert("map.gpkg")
+        words = "d32634.tif is in EPSG:32634 and the map in EPSG:3067"
+        for options in (("--size", 20, "--elevation"), ("--spacing", "20+0*d(x,y)", "--raster")):
+            for code, told in ((32634, True), (3067, False)):
+                file = f"d{code}.tif" if options[-1] == "--elevation" else f"d=d{code}.tif"
+                said = self.call("mesh", "map.gpkg", *options, file, "-o", "a.msh" if told else "a.14").stderr
+                self.assertEqual(words in said, told, said)
+
     def test_what_a_raster_cannot_be(self):
         self.grid(lambda x, y: -1.0 if x > X + 100 else 2.0, "depth.asc")
         self.gdal("gdal_translate", "-q", "depth.asc", "bad.tif")

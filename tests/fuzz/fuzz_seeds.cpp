@@ -226,6 +226,10 @@ const char *const kTwoDm =
 const char *const kMfem =
     "MFEM mesh v1.2\n\n# c\ndimension\n2\nelements\n2\n0 3 0 1 2 3\n7 2 0 1 2\nboundary\n1\n5 1 0 1\nvertices\n4\n3\n"
     "0 0 1\n1 0 1\n1 1 1\n0 1 1\nmfem_mesh_end\n";
+const char *const kMfemCurved =
+    "MFEM mesh v1.0\n# quadrilaterals of 8 nodes\ndimension\n2\nelements\n2\n1 3 0 1 2 3\n2 2 1 4 2\nboundary\n1\n"
+    "7 1 0 1\nvertices\n5\nnodes\nFiniteElementSpace\nFiniteElementCollection: H1_2D_P2\nVDim: 2\nOrdering: 1\n"
+    "0 0\n2 0\n2 2\n0 2\n3 1\n1 -0.25\n2.25 1\n1 2\n0 1\n2.5 0.5\n2.5 1.5\n1.125 0.875\n";
 const char *const kTriangle6 =
     "6 2 0 1\n1 0 0 1\n2 2 0 1\n3 0 2 0\n4 1 1 0\n5 0 1 0\n6 1 0 0\n%%\n1 6 0\n1 1 2 3 4 5 6\n%%\n"
     "1 1\n1 1 2 5\n";
@@ -331,7 +335,7 @@ std::vector<std::string> handMade(std::string_view id) {
         {"unv", {kUnv}},
         {"nastran", {kNastran}},
         {"2dm", {kTwoDm}},
-        {"mfem", {kMfem}},
+        {"mfem", {kMfem, kMfemCurved}},
         {"vtu", {kVtuAscii}},
         {"xdmf", {kXdmf}},
         {"esri", {kEsriGrid}},

@@ -243,24 +243,49 @@ def check_open(program, folder, sample):
 
 # MFEM and surfaces
 
+class MfemEdges(dict):
+    """Numbers edges in the order in which elements name them first, as MFEM does."""
+
+    def number(self, a, b):
+        return self.setdefault((min(a, b), max(a, b)), len(self))
+
+
 def check_mfem(mesh, file):
-    """Attributes are regions and boundary parts; vertices are numbered from 0."""
+    """Attributes are regions and boundary parts; vertices are numbered from 0. A grid function has a place for each
+    vertex, then for each edge, then for each quadrilateral."""
     words = [line for line in pathlib.Path(file).read_text().splitlines() if line and not line.startswith("#")]
     same(words[:4], ["MFEM mesh v1.0", "dimension", "2", "elements"], "header")
     rows, at = {}, 3
-    for name in ("elements", "boundary", "vertices"):
+    for name in ("elements", "boundary"):
         same(words[at], name, "section")
-        count, first = int(words[at + 1]), at + (3 if name == "vertices" else 2)
-        rows[name] = [line.split() for line in words[first:first + count]]
-        at = first + count
-    same(at, len(words), "lines")
-    places = [rounded(row) for row in rows["vertices"]]
-    same(len(places), len(mesh.nodes), "vertices")
-    kinds = {"1": ("edge2", 2), "2": ("triangle3", 3), "3": ("quadrilateral4", 4)}
-    cells = []
-    for attribute, kind, *nodes in rows["elements"] + rows["boundary"]:
-        same(len(nodes), kinds[kind][1], "vertices of an element")
-        cells.append((kinds[kind][0], int(attribute), tuple(places[int(n)] for n in nodes)))
+        count = int(words[at + 1])
+        rows[name] = [[int(word) for word in line.split()] for line in words[at + 2:at + 2 + count]]
+        at += 2 + count
+    same(words[at], "vertices", "section")
+    vertices, curved = int(words[at + 1]), words[at + 2] == "nodes"
+    if curved:
+        same(words[at + 3:at + 7],
+             ["FiniteElementSpace", "FiniteElementCollection: H1_2D_P2", "VDim: 2", "Ordering: 1"], "grid function")
+    else:
+        same(words[at + 2], "2", "dimension")
+    places = [rounded(line.split()) for line in words[at + (7 if curved else 3):]]
+    edges, cells = MfemEdges(), []
+    shapes = {1: ("edge", 2), 2: ("triangle", 3), 3: ("quadrilateral", 4)}
+    for row in rows["elements"] if curved else []:
+        for a, b in zip(row[2:], row[3:] + row[2:3]):
+            edges.number(a, b)
+    centre = vertices + len(edges)
+    for attribute, kind, *corners in rows["elements"] + rows["boundary"]:
+        same(len(corners), shapes[kind][1], "vertices of an element")
+        nodes = list(corners)
+        if curved:
+            sides = list(zip(corners, corners[1:] + corners[:1]))[:1 if kind == 1 else None]
+            nodes += [vertices + edges.number(a, b) for a, b in sides]
+        if curved and kind == 3:
+            nodes += [centre] if "quadrilateral8" not in {cell[0] for cell in mesh.cells} else []
+            centre += 1
+        cells.append((f"{shapes[kind][0]}{len(nodes)}", attribute, tuple(places[n] for n in nodes)))
+    same(len(places), centre if curved else vertices, "places")
     compare_cells(cells, mesh.cells)
 
 
@@ -310,7 +335,8 @@ def checks(samples, program):
     add("ADCIRC with open parts", check_open, program, folder, samples["sample"])
     mixed = Cells(folder, "mixed")
     add("gr3 of mixed", check_grid, mixed.files["gr3"], 0, 1, len(mixed.elements()), len(mixed.nodes), mixed.area())
-    add("MFEM of mixed", check_mfem, mixed, mixed.files["mfem"])
+    for name in ("mixed", "curved6", "curved8", "curved9"):
+        add(f"MFEM of {name}", check_mfem, Cells(folder, name), Cells(folder, name).files["mfem"])
     for form in ("ply", "off"):
         add(f"{form} of mixed", check_faces, mixed, mixed.files[form], form)
     for form in ("ply", "stl", "off"):

@@ -25,7 +25,7 @@ READ_BY = {
     "vtk": ("Gmsh, meshio, VTK, FreeFem++; deal.II", f"{CHECK}; {HEAVY}"),
     "xdmf": ("dolfinx; meshio, one grid at a time; QGIS (MDAL) reads no meshes from XDMF", "check_xdmf.py; check_qgis.py"),
     "medit": ("Gmsh, meshio, FreeFem++", CHECK),
-    "mfem": ("own parser: not in Debian", CHECK),
+    "mfem": ("MFEM, by hand; own parser", f"{CHECK}; check_mfem.cpp"),
     "inp": ("CalculiX, meshio", CHECK),
     "su2": ("meshio; markers by own parser: SU2 is not in Debian", CHECK),
     "unv": ("Gmsh; groups by own parser", CHECK),
@@ -70,8 +70,9 @@ our files are refused as a mesh and as values. For QGIS, write 2DM, UGRID or SEL
 as polygons, of 6 nodes, and quadrilaterals of 4; it does not recognise a file with quadrilaterals of 8 or 9 nodes, which the same script shows.
 [The sample Bay with its depths](../../tests/readers/bay_by_qgis.png), a UGRID file, as QGIS draws it.
 
-MFEM holds second order, too: as a grid function `nodes`, whose values follow the numbers that MFEM itself gives the edges. It is not
-written and not read, since no program in Debian could check that these numbers are the same as ours.
+MFEM holds second order as a grid function `nodes`, whose values follow the numbers that MFEM itself gives the edges: in the
+order in which the elements name them first. MFEM is not in Debian, so that `check_mfem.cpp`, which reads our files with it, is
+compiled and run by hand: [`mfem.txt`](../../tests/readers/mfem.txt).
 
 The last results of those that need large packages lie beside them: [`xdmf.txt`](../../tests/readers/xdmf.txt),
 [`openfoam.txt`](../../tests/readers/openfoam.txt), [`qgis.txt`](../../tests/readers/qgis.txt) and

@@ -23,6 +23,9 @@ ORDERS = {
            "editor", "."],
 }
 FORBIDDEN = {"core/": r"(ui|app)/|GL/|GLES|EGL|GLFW|imgui|implot|glad", "ui/": r"app/"}
+# Headers of one operating system, and the rooms that may include them.
+SYSTEM = r"(sys/.*|unistd|fcntl|dlfcn|spawn|poll|pthread|termios|csignal|signal|windows|io|direct)(\.h)?$"
+SYSTEM_ROOMS = ("core/engine/platform/", "ui/platform/", "app/memory/")
 
 
 def includes(root):
@@ -43,6 +46,8 @@ def faults(root):
         arrow = f"{file}:{number}: #include of {included}"
         yield from (f"{arrow}: {top} must not include it" for top, pattern in FORBIDDEN.items()
                     if file.startswith(top) and re.match(pattern, included))
+        if re.match(SYSTEM, included) and not file.startswith(SYSTEM_ROOMS):
+            yield f"{arrow}: only {', '.join(SYSTEM_ROOMS)} may include headers of an operating system"
         arrows[file.rpartition("/")[0], included.rpartition("/")[0]].append(arrow)
         for top, order in ORDERS.items():
             rank = {name: place for place, names in enumerate(order) for name in names.split()}

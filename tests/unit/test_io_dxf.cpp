@@ -138,6 +138,29 @@ TEST_CASE("DXF: a plate with holes becomes a domain with layers as boundary part
     CHECK(notes.contents().layer == "OUTLINE,HOLES");
 }
 
+TEST_CASE("DXF: a side that two outlines share stays as a line between them") {
+    ImportNotes notes;
+    const Domain domain = domainIn(
+        drawing(kSquare + " 0 LWPOLYLINE 8 SECOND 90 4 70 1 10 10 20 0 10 20 20 0 10 20 20 10 10 10 20 10"), &notes);
+    CHECK(chordArea(domain) == doctest::Approx(200.0));
+    std::size_t between = 0;
+    for (const DomainSegment &segment : domain.segments) {
+        if (segment.role == SegmentRole::Constraint) {
+            ++between;
+            CHECK(domain.nodes[segment.a].x == 10.0);
+            CHECK(domain.nodes[segment.b].x == 10.0);
+        }
+    }
+    CHECK(between == 1);
+    CHECK(countOf(notes, "runs back along itself") == 0);
+    CHECK(countOf(notes, "shared by neighbours into an inner line") == 1);
+    // Where an outline goes out and back, nothing is left.
+    const Domain spike =
+        domainIn(drawing("0 LWPOLYLINE 8 A 90 6 70 1 10 0 20 0 10 10 20 0 10 10 20 10 10 15 20 10 10 10 "
+                         "20 10 10 0 20 10"));
+    CHECK(spike.segments.size() == 4);
+}
+
 TEST_CASE("DXF: arcs, ellipses and bulges keep their exact lengths and bounds") {
     CHECK(lengthOf(pathsIn(drawing("0 CIRCLE 10 1 20 2 40 3"))) == doctest::Approx(6 * kPi).epsilon(1e-12));
     const DxfPaths arc = pathsIn(drawing("0 ARC 10 0 20 0 40 2 50 350 51 370"));

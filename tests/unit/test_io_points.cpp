@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -80,6 +81,14 @@ TEST_CASE("CSV: paths of points with every separator, names of columns and of pa
     pt::readOf(readCsv, "x,y,depth\n0,0,1\n4,0,1\n4,3,1\n", &notes);
     REQUIRE(notes.entries().size() == 1);
     CHECK(notes.entries()[0].message.find("'depth'") != std::string::npos);
+}
+
+TEST_CASE("CSV: of several columns that may name paths, part comes before path and name") {
+    ImportNotes notes;
+    const Domain domain = pt::readOf(readCsv, "name,x,y,part\np,0,0,1\nq,4,0,1\nr,4,2,1\ns,0,2,1\n", &notes).domain;
+    CHECK(domain.boundaryNames == std::map<std::int32_t, std::string>{{1, "1"}});
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries()[0].message.find("'name'") != std::string::npos);
 }
 
 TEST_CASE("CSV: faults name the place") {

@@ -150,6 +150,15 @@ TEST_CASE("Elements of regions: what is wrong is refused, and the stepper follow
     CHECK(refusalOf(job) == "least-angle");
 }
 
+TEST_CASE("Elements of regions: settings of the faces without a marker stay when there are none left") {
+    MeshingJob job = squares();
+    job.domain.regionMarkers[0].tag = 4;
+    const std::uint64_t hash = meshHash(meshedJob(job).mesh);
+    job.regionElements = {{1, Elements::Quads}};
+    job.mapped = {{1, {{0, 0}, {3, 0}, {3, 1}, {0, 1}}}};
+    CHECK(meshHash(meshedJob(job).mesh) == hash);
+}
+
 TEST_CASE("Elements of regions: random lines through a square") {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> number(0.2, 0.8);

@@ -1,5 +1,6 @@
 #include "ui/canvas/picture.hpp"
 
+#include "core/engine/platform/file_handle.hpp"
 #include "core/files/png/png_decoder.hpp"
 #include "core/files/png/png_pixels.hpp"
 
@@ -8,13 +9,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <new>
 #include <optional>
 #include <stb_image.h>
 #include <string>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace forefront {
@@ -42,16 +40,16 @@ Diagnostics missing(const std::filesystem::path &file, const std::string &why) {
 
 /// Opens a picture. Refuses all but regular files: a pipe would wait for ever for its other end.
 Result<File> openPicture(const std::filesystem::path &path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0) {
+    const FileHandle handle = openFile(path, FileAccess::ReadNow);
+    if (handle < 0) {
         return missing(path, std::strerror(errno));
     }
-    struct stat status {};
-    const bool regular = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
-    File file(regular ? ::fdopen(descriptor, "rb") : nullptr, std::fclose);
+    FileStatus status;
+    const bool regular = statusOf(handle, status) && status.kind == FileStatus::Kind::Regular;
+    File file(regular ? streamOf(handle) : nullptr, std::fclose);
     if (!file) {
         const std::string why = regular ? std::strerror(errno) : "it is not a regular file";
-        ::close(descriptor);
+        closeFile(handle);
         return missing(path, why);
     }
     return file;

@@ -115,6 +115,13 @@ class Domain(_core.DomainBase):
         """Sets the shapes of the elements of a region: "triangles", "quads" or "mixed"."""
         super().set_elements(region, elements)
 
+    def name_part(self, name: str, start: Any, end: Any = None) -> None:
+        """Names the part of the boundary from the node nearest to ``start`` to the node nearest to ``end``.
+
+        The domain is on the left. end: None: the whole loop through the node. ``notes`` tells the length of the part.
+        """
+        super().name_part(name, start, end)
+
     def validate(self, limit: int = 200) -> List[Fault]:
         """Returns the faults of the domain, with places, at most ``limit``; empty if it can be meshed."""
         return super().validate(limit)
@@ -140,7 +147,8 @@ class Domain(_core.DomainBase):
         meshes. format: an id of :func:`formats`; None: by
         content, then by extension. Options, as of the batch program: curve_tolerance, weld, layer, names, strict,
         beyond_page, drop_lines, stroke_areas, shape_regions, white_holes, degrees ("warn", "keep" or "local"),
-        parameters (a dict of expressions). ``notes`` of the domain lists what the reader did not use.
+        parameters (a dict of expressions), parts ({name: (start, end)}, as :meth:`name_part` takes them, with places in
+        the coordinates of the file). ``notes`` of the domain lists what the reader did not use.
         """
         source, identifier = source_of(file, format)
         return cls(_core.read_domain(source, identifier, options))

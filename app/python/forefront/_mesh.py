@@ -135,7 +135,7 @@ class Mesh(_core.MeshBase):
         min_delta, min_across, max_valence. Each place that violates one is a fault. min_delta needs a node spacing: a
         mesh that was read gets it from :meth:`with_size`.
         """
-        return self._check(domain, {name.replace("_", "-"): value for name, value in limits.items()})
+        return self._check(domain, limits_of(limits))
 
     def write(self, file: Any, format: Optional[str] = None, inner_edges: Optional[bool] = None,
               progress: Any = None, **form: Any) -> List[Fault]:
@@ -152,6 +152,7 @@ class Mesh(_core.MeshBase):
         which do not change; None: that of the domain.
         """
         options, notes = form_of(self, inner_edges=inner_edges, **form)
+        notes = notes + self._dropped_values()
         if not hasattr(file, "write"):
             return notes + self._write(os.fspath(file), format or "", options, progress)
         if format is None:
@@ -159,6 +160,13 @@ class Mesh(_core.MeshBase):
         content, more = self._to_bytes(format, options)
         file.write(content.decode() if _takes_text(file) else content)
         return notes + more
+
+    def _dropped_values(self) -> List[Fault]:
+        names = sorted({*self.node_values, *self.element_values})
+        if not names:
+            return []
+        return [_core.fault("dropped-fields", f"the values {', '.join(names)} are not written: files hold the mesh alone",
+                            "write them with to_meshio() or to_pyvista()", note=True)]
 
     def to_bytes(self, format: str, inner_edges: Optional[bool] = None, **form: Any) -> bytes:
         """Returns the file of a format that has one file. form: as for :meth:`write`."""
@@ -232,10 +240,19 @@ class Mesh(_core.MeshBase):
     def __reduce__(self):
         return Mesh, (np.array(self.nodes), [np.array(block) for block in self.blocks.values()],
                       np.array(self.regions), np.array(self.edges), np.array(self.edge_tags), self.boundary_names,
-                      self.region_names, *map(np.array, self.points))
+                      self.region_names, *map(np.array, self.points)), {"node_values": self.node_values,
+                                                                        "element_values": self.element_values}
+
+    def __setstate__(self, state: Dict[str, Dict[str, np.ndarray]]) -> None:
+        self.node_values, self.element_values = state["node_values"], state["element_values"]
 
     def __repr__(self) -> str:
         return f"<forefront.Mesh: {len(self.nodes)} nodes, {self.element_count} elements>"
+
+
+def limits_of(limits: Optional[Mapping[str, float]]) -> Dict[str, float]:
+    """Returns limits by the words of the core, which have hyphens."""
+    return {name.replace("_", "-"): float(value) for name, value in (limits or {}).items()}
 
 
 def _takes_text(file: Any) -> bool:

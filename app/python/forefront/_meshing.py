@@ -1,7 +1,7 @@
 """Meshing, adapting and reading meshes."""
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
@@ -9,14 +9,15 @@ from . import _core
 from ._core import Fault
 from ._domain import Domain, domain_of
 from ._files import source_of
-from ._mesh import Mesh
+from ._mesh import Mesh, limits_of
 from ._sampling import TOLERANCE
 from ._sizes import job_of
 
 Progress = Callable[[str, float], Any]
 
 
-def mesh(domain: Any, size: Any = None, *, progress: Optional[Progress] = None, **options: Any) -> Mesh:
+def mesh(domain: Any, size: Any = None, *, limits: Optional[Mapping[str, float]] = None, fix: bool = False,
+         progress: Optional[Progress] = None, **options: Any) -> Mesh:
     """Meshes a domain.
 
     domain: a :class:`Domain`, a loop of shape (n, 2), a list of loops, the path of a file, GeoJSON as a dict, or an object with
@@ -44,6 +45,10 @@ def mesh(domain: Any, size: Any = None, *, progress: Optional[Progress] = None, 
     counts · min_angle: no triangle has a smaller angle, in degrees up to 33, except at sharp corners of the domain and
     beside segments that may not be divided, which the notes name · repair: join what crosses or touches first · max_elements · verify: check the mesh against the domain.
 
+    limits: those that the mesh should meet besides those of a project, such as {'max_growth': 2}; ``notes`` warns of each
+    that it violates. fix: change the settings until the mesh meets them, as far as that is possible; ``notes`` has each
+    change. The names of limits are those of :meth:`Mesh.check`.
+
     progress: called as progress(stage, fraction) on the same thread, at most every 20 ms. An exception that it or the
     size function raises ends the run and arrives unchanged, as does Ctrl-C.
 
@@ -51,10 +56,10 @@ def mesh(domain: Any, size: Any = None, *, progress: Optional[Progress] = None, 
     the run. Raises MeshError, with places, if the domain or a size is invalid.
     """
     job = job_of(domain, size, progress=progress, **options)
-    result = Mesh(_core.mesh(*job.arguments, progress))
+    result = Mesh(_core.mesh(*job.arguments, limits_of(limits), fix, progress))
     if job.sampled is not None and job.sampled.error(result.nodes) > TOLERANCE:
         # The function has details that the grid does not show.
-        return mesh(domain, size, progress=progress, **{**options, "exact": True})
+        return mesh(domain, size, limits=limits, fix=fix, progress=progress, **{**options, "exact": True})
     return result
 
 

@@ -175,7 +175,7 @@ def face_places(domain: Domain) -> np.ndarray:
     plain = Domain(domain)
     options = _core.Options()
     options.set_improve("none")
-    coarse = _core.mesh(plain, _core.Sizes(), True, options, None)
+    coarse = _core.mesh(plain, _core.Sizes(), True, options, {}, False, None)
     faces, areas = _core.mesh_faces(coarse), coarse.quality("area")
     best = np.lexsort((-areas, faces))
     first = best[np.searchsorted(faces[best], np.arange(faces.max() + 1))]
@@ -218,9 +218,14 @@ def job_of(domain: Any, size: Any = None, *, sources: Iterable[Source] = (),
         size = _core.preset_expression([size_presets] if isinstance(size_presets, str) else list(size_presets))
     if isinstance(size, str) and is_geojson(domain) and _has_property(domain, size):
         domain, size = sized_domain(domain, size, names), None
-    elif names is not None:
+    elif names is not None and is_geojson(domain):
         geojson = domain.__geo_interface__ if hasattr(domain, "__geo_interface__") else domain
         domain = Domain.from_geojson(geojson, names=names)
+    elif names is not None and (isinstance(domain, str) or hasattr(domain, "__fspath__")):
+        domain = Domain.read(domain, names=names)
+    elif names is not None:
+        raise ValueError("names: only features have properties; expected a file, GeoJSON or an object with "
+                         "__geo_interface__")
     domain = domain_of(domain)
     if repair:
         domain, _ = domain.repair()

@@ -281,6 +281,12 @@ void bindProperties(py::class_<PythonDomain> &domain) {
 
 } // namespace
 
+void namePartsOf(std::span<const PartName> parts, PythonDomain &domain) {
+    const Diagnostics notes = nameParts(parts, domain.domain);
+    raiseErrors(notes);
+    domain.notes.insert(domain.notes.end(), notes.begin(), notes.end());
+}
+
 void bindDomain(py::module_ &module) {
     py::class_<PythonDomain> domain(module, "DomainBase");
     domain.def(py::init<>()).def(py::init<const PythonDomain &>());
@@ -295,6 +301,16 @@ void bindDomain(py::module_ &module) {
                 return faultList(withoutGil([&] { return validate(copy, limit); }));
             },
             py::arg("limit") = kMaxListedFaults)
+        .def(
+            "name_part",
+            [](PythonDomain &self, const std::string &name, const py::object &from, const py::object &to) {
+                if (name.empty()) {
+                    throw py::value_error("name: expected a name of the part");
+                }
+                const PartName part{name, pointOf(from, "start"), pointOf(to.is_none() ? from : to, "end")};
+                namePartsOf(std::span(&part, 1), self);
+            },
+            py::arg("name"), py::arg("start"), py::arg("end") = py::none())
         .def("_limit_area",
              [](PythonDomain &self, const py::object &at, double area) {
                  self.spacing.placed.regions.push_back({pointOf(at, "at"), area, 0.0});

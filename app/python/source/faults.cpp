@@ -74,15 +74,16 @@ void bindFaults(py::module_ &module) {
     module.def(
         "fault",
         [](const std::string &code, const std::string &message, const std::string &advice,
-           const std::optional<std::pair<double, double>> &at) {
+           const std::optional<std::pair<double, double>> &at, bool note) {
             Diagnostic fault = error(code, message, advice).front();
+            fault.severity = note ? Severity::Note : Severity::Error;
             if (at) {
                 fault.at = Vec2{at->first, at->second};
             }
             return fault;
         },
         py::arg("code"), py::arg("message"), py::arg("advice") = "", py::arg("at") = py::none(),
-        "Makes an error of the Python package itself");
+        py::arg("note") = false, "Makes an error or a note of the Python package itself");
 }
 
 py::list faultList(const Diagnostics &faults) {

@@ -286,4 +286,19 @@ MeshingJob jobOf(const PythonDomain &domain, const SpacingSpec &sizes, bool repl
     return job;
 }
 
+MeshLimits limitsOf(const char *what, const std::map<std::string, double> &given) {
+    MeshLimits limits;
+    for (const auto &[word, value] : given) {
+        const std::optional<MeshLimit> limit = fromWord<MeshLimit>(word);
+        if (!limit) {
+            throw py::value_error(std::string(what) + ": expected " + wordList<MeshLimit>() + ", got '" + word + "'");
+        }
+        if (const std::string fault = limitFault(*limit, value); !fault.empty()) {
+            throw py::value_error(std::string(word).append(": ").append(fault));
+        }
+        limits[*limit] = value;
+    }
+    return limits;
+}
+
 } // namespace forefront::python

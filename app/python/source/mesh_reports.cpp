@@ -2,6 +2,7 @@
 #include "app/python/source/arrays.hpp"
 #include "app/python/source/domain.hpp"
 #include "app/python/source/faults.hpp"
+#include "app/python/source/job.hpp"
 #include "app/python/source/mesh.hpp"
 #include "app/python/source/progress_calls.hpp"
 #include "core/engine/mesh/large_elements.hpp"
@@ -56,25 +57,10 @@ std::string summaryJson(const PythonMesh &self) {
     });
 }
 
-MeshLimits limitsOf(const std::map<std::string, double> &given) {
-    MeshLimits limits;
-    for (const auto &[word, value] : given) {
-        const std::optional<MeshLimit> limit = fromWord<MeshLimit>(word);
-        if (!limit) {
-            throw py::value_error("check: expected " + wordList<MeshLimit>() + ", got '" + word + "'");
-        }
-        if (const std::string fault = limitFault(*limit, value); !fault.empty()) {
-            throw py::value_error(std::string(word).append(": ").append(fault));
-        }
-        limits[*limit] = value;
-    }
-    return limits;
-}
-
 py::list checkMesh(const PythonMesh &self, const PythonDomain *checked, const std::map<std::string, double> &given) {
     // A copy: another thread may change the domain meanwhile.
     std::optional<PythonDomain> domain = checked != nullptr ? std::optional(*checked) : std::nullopt;
-    const MeshLimits limits = limitsOf(given);
+    const MeshLimits limits = limitsOf("check", given);
     return faultList(withoutGil([&] {
         if (domain) {
             PlacedSizes &placed = domain->spacing.placed;

@@ -7,10 +7,13 @@
 #include "app/python/source/mesh.hpp"
 #include "app/python/source/progress_calls.hpp"
 #include "app/python/source/shared_object.hpp"
+#include "core/drawing/commands/mesh_within_limits.hpp"
 #include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/engine/adapt/mesh_outline.hpp"
 #include "core/engine/mesh/large_elements.hpp"
+#include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/measures.hpp"
+#include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/pipeline/optional_periodic.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
@@ -35,23 +38,43 @@ Diagnostics notesOf(const MeshingOutcome &outcome, const MeshingJob &job) {
     Diagnostics notes = outcome.spacing->notes();
     for (const Diagnostics &more :
          {largeElements(outcome.mesh, job.domain, job.spacing.placed.regions), forcedAngles(outcome.leastAngle),
-          notConvex(outcome.quads), straightEdges(outcome.order),
+          flatElements(measureQuality(outcome.mesh, nullptr)), notConvex(outcome.quads), straightEdges(outcome.order),
           shortenedLayers(outcome.layers, outcome.mesh.boundaryNames)}) {
         notes.insert(notes.end(), more.begin(), more.end());
     }
     return notes;
 }
 
+/// Meshes a job, with `fix` within its limits. Returns also the job of the mesh, and notes on what was changed.
+Result<FixedMesh> meshJob(MeshingJob job, const MeshLimits &limits, bool fix, const Progress &progress) {
+    if (fix) {
+        return meshWithinLimits(std::move(job), limits, progress);
+    }
+    Result<MeshingOutcome> outcome = meshDomain(job, progress);
+    if (!outcome) {
+        return outcome.faults();
+    }
+    return FixedMesh{std::move(job), std::move(*outcome), {}};
+}
+
 PythonMesh meshDomainOf(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces,
-                        const MeshingOptions &options, const py::object &callback) {
-    MeshingJob job = jobOf(domain, sizes, replaces, options);
-    const Diagnostics leftOut = leaveOutExcludedPeriodic(job, domain.periodicOfMesh);
+                        const MeshingOptions &options, const std::map<std::string, double> &given, bool fix,
+                        const py::object &callback) {
+    MeshingJob asked = jobOf(domain, sizes, replaces, options);
+    const Diagnostics leftOut = leaveOutExcludedPeriodic(asked, domain.periodicOfMesh);
+    const MeshLimits limits = mergedLimits(domain.limits, limitsOf("limits", given));
+    if (fix && !limits.any()) {
+        throw py::value_error("fix: there are no limits; give limits={'max_growth': 2} or others");
+    }
     const Progress progress = progressOf(callback);
-    MeshingOutcome outcome = valueOrRaise(withoutGil([&] { return meshDomain(job, progress); }));
+    FixedMesh fixed = valueOrRaise(withoutGil([&] { return meshJob(std::move(asked), limits, fix, progress); }));
+    auto &[job, outcome, changes] = fixed;
     MadeBy made{outcome.work,    outcome.quads,          options.leastAngle,  outcome.leastAngle,     options.elements,
                 options.improve, outcome.secondsPrepare, outcome.secondsMesh, outcome.secondsImprove, peakMemory()};
     Diagnostics notes = domain.notes;
-    for (const Diagnostics &more : {leftOut, notesOf(outcome, job)}) {
+    for (const Diagnostics &more :
+         {leftOut, changes, notesOf(outcome, job),
+          limits.any() ? warningsOf(checkLimits(outcome.mesh, limits, outcome.spacing.get(), 1)) : Diagnostics()}) {
         notes.insert(notes.end(), more.begin(), more.end());
     }
     PythonMesh mesh = pythonMesh(std::move(outcome.mesh));

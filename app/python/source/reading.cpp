@@ -10,6 +10,7 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/files/files.hpp"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <pybind11/stl.h>
@@ -75,6 +76,12 @@ void setImportOptions(ImportOptions &options, const py::dict &given) {
                 throw py::value_error("degrees: expected warn, keep or local, got '" + word + "'");
             }
             options.degrees = word == "warn" ? DegreeRule::Warn : word == "keep" ? DegreeRule::Keep : DegreeRule::Local;
+        } else if (name == "parts") {
+            for (const auto &[part, places] :
+                 value.cast<std::map<std::string, std::array<std::array<double, 2>, 2>>>()) {
+                const auto &[from, to] = places;
+                options.partNames.push_back({part, {from[0], from[1]}, {to[0], to[1]}});
+            }
         } else if (name == "parameters") {
             options.parameters = value.cast<std::map<std::string, std::string>>();
         } else {
@@ -83,10 +90,15 @@ void setImportOptions(ImportOptions &options, const py::dict &given) {
     }
 }
 
+/// Returns the format of a file; null if it is unknown.
+const FileFormat *formatOf(const PythonFile &file) {
+    return !file.options.formatId.empty() ? allFormats().withId(file.options.formatId)
+           : file.options.content         ? allFormats().detect(file.path, *file.options.content)
+                                          : allFormats().detect(file.path);
+}
+
 Result<PythonDomain> readDomainFile(const PythonFile &file, ImportNotes &notes) {
-    const FileFormat *const format = !file.options.formatId.empty() ? allFormats().withId(file.options.formatId)
-                                     : file.options.content ? allFormats().detect(file.path, *file.options.content)
-                                                            : allFormats().detect(file.path);
+    const FileFormat *const format = formatOf(file);
     if (format != nullptr && format->kind == FileKind::Project) {
         const Result<Document> document = readDocument(file.path, file.options, &notes);
         if (!document) {
@@ -97,6 +109,7 @@ Result<PythonDomain> readDomainFile(const PythonFile &file, ImportNotes &notes) 
                             std::move(job.cracks), std::move(job.periodic), std::move(job.mapped),
                             std::move(job.strips), std::move(job.layers),   std::move(job.regionElements)};
         domain.unit = document->unit;
+        domain.limits = document->limits;
         return domain;
     }
     Result<DomainFile> read = allFormats().readDomain(file.path, file.options, &notes);
@@ -110,6 +123,12 @@ Result<PythonDomain> readDomainFile(const PythonFile &file, ImportNotes &notes) 
     return domain;
 }
 
+/// Returns true for maps, whose readers name the parts, since the places are in the coordinates of the file.
+bool namesPartsItself(const PythonFile &file) {
+    const FileFormat *const format = formatOf(file);
+    return format != nullptr && format->kind == FileKind::Map;
+}
+
 PythonDomain readDomainOf(const py::object &source, const std::string &format, const py::dict &given) {
     PythonFile file = fileOf(source, format);
     setImportOptions(file.options, given);
@@ -117,6 +136,9 @@ PythonDomain readDomainOf(const py::object &source, const std::string &format, c
     ImportNotes notes;
     PythonDomain domain = valueOrRaise(withoutGil([&] { return readDomainFile(file, notes); }));
     domain.notes = notes.diagnostics();
+    if (!namesPartsItself(file)) {
+        namePartsOf(file.options.partNames, domain);
+    }
     domain.system = notes.contents().system;
     return domain;
 }

@@ -105,3 +105,18 @@ def test_an_angle_is_kept_but_at_sharp_corners():
     least, _ = angles_and_areas(result)
     sharp = result["triangles"][least < 30.0]
     assert len(sharp) == 1 and 0 in sharp[0]
+
+
+def test_segments_without_markers_have_0_inside_and_1_on_the_boundary():
+    graph = {"vertices": box(0, 0, 4, 4) + box(1, 1, 2, 2), "segments": loops(2)}
+    for markers in ({}, {"segment_markers": [0] * 8}):
+        result = tr.triangulate({**graph, **markers}, "pq30e")
+        places = result["vertices"]
+        outside = np.any((places == 0) | (places == 4), axis=1)
+        assert np.array_equal(result["vertex_markers"].ravel() == 1, outside)
+        ends = outside[result["segments"]].all(axis=1)
+        assert np.array_equal(result["segment_markers"].ravel(), ends.astype(int)) and not ends.all()
+    kept = tr.triangulate({**graph, "segment_markers": [0] * 4 + [5] * 4}, "p")
+    assert sorted(set(kept["segment_markers"].ravel())) == [1, 5]
+    with pytest.raises(ValueError, match="vertex_attributes"):
+        tr.triangulate({**graph, "vertex_attributes": np.zeros((8, 1))}, "p")

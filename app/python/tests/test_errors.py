@@ -143,3 +143,13 @@ def test_a_detail_between_the_places_of_the_grid_is_not_lost(rectangle):
     centre = mesh.nodes[mesh.elements].mean(axis=1)
     inside = np.hypot(*(centre - (1.0031, 1.0077)).T) < 0.02
     assert inside.sum() > 5 and mesh.quality("area")[inside].max() < 0.001
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_a_field_that_is_not_finite_is_refused_with_its_place(bad):
+    mesh = ff.mesh([(0, 0), (1, 0), (1, 1), (0, 1)], 0.2)
+    values = np.sin(mesh.nodes[:, 0])
+    values[7] = bad
+    with pytest.raises(ff.MeshError, match="not finite") as caught:
+        ff.adapt(mesh, values, 0.1)
+    assert caught.value.faults[0].at == tuple(mesh.nodes[7])

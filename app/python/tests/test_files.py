@@ -1,5 +1,7 @@
 """Files, checks and figures."""
 import io
+import json
+import pickle
 import sys
 import types
 
@@ -153,3 +155,44 @@ def test_rasters_are_sizes():
     assert areas[x > 2.5].mean() > 3 * areas[x < 0.5].mean()
     with pytest.raises(ff.MeshError):
         ff.read_sizes(grid.replace(b"0.4", b"-9").replace(b"0.1", b"-1"), "esri")
+
+
+def test_parts_of_the_boundary_get_names_by_places():
+    ring = [(24.0, 60.0), (24.1, 60.0), (24.1, 60.1), (24.0, 60.1), (24.0, 60.0)]
+    domain = ff.Domain.from_geojson({"type": "Polygon", "coordinates": [ring]}, degrees="local",
+                                    parts={"sea": ((24.0, 60.0), (24.1, 60.0))})
+    mesh = ff.mesh(domain, 1000.0)
+    places = mesh.nodes[mesh.nodes_of("sea")]
+    assert np.ptp(places[:, 1]) < 20 and np.ptp(places[:, 0]) > 5000  # the southern side, in metres
+    plate = ff.Domain()
+    plate.add_loop([(0, 0), (4, 0), (4, 2), (0, 2)])
+    plate.add_circle((2, 1), 0.5)
+    plate.name_part("top", (4, 2), (0, 2))
+    plate.name_part("hole", (2, 1.4))
+    assert [note.message.split("'")[1] for note in plate.notes] == ["top", "hole"]
+    mesh = ff.mesh(plate, 0.3)
+    assert set(mesh.nodes[mesh.nodes_of("top")][:, 1]) == {2.0}
+    assert np.allclose(np.hypot(*(mesh.nodes[mesh.nodes_of("hole")] - (2, 1)).T), 0.5, atol=1e-9)
+    with pytest.raises(ff.MeshError) as caught:
+        plate.name_part("far", (90, 90), (91, 90))
+    assert caught.value.faults[0].code == "part-place"
+    with pytest.raises(ValueError, match="name"):
+        plate.name_part("", (0, 0))
+
+
+def test_values_are_told_where_they_are_left_out_and_survive_pickling(tmp_path):
+    mesh = ff.mesh([(0, 0), (1, 0), (0, 1)], 0.3)
+    mesh.node_values["u"] = mesh.nodes[:, 0].copy()
+    notes = mesh.write(tmp_path / "a.vtu")
+    assert [note.code for note in notes] == ["dropped-fields"] and notes[0].severity == "note" and "u" in notes[0].message
+    assert np.array_equal(pickle.loads(pickle.dumps(mesh)).node_values["u"], mesh.nodes[:, 0])
+
+
+def test_names_are_a_property_of_features_of_a_file_too(tmp_path):
+    feature = {"type": "Feature", "properties": {"soil": "clay"},
+               "geometry": {"type": "Polygon", "coordinates": [[(0, 0), (4, 0), (4, 2), (0, 2), (0, 0)]]}}
+    file = tmp_path / "soil.geojson"
+    file.write_text(json.dumps({"type": "FeatureCollection", "features": [feature]}))
+    assert "clay" in ff.mesh(file, 0.5, names="soil").region_names.values()
+    with pytest.raises(ValueError, match="names: only features"):
+        ff.mesh([(0, 0), (4, 0), (4, 2)], 0.5, names="soil")

@@ -251,3 +251,31 @@ def test_cracks_periodic_parts_layers_mapped_regions_and_elements():
     assert _counts(mesh, "plate") == {"quadrilateral4": 32}
     with pytest.raises(ValueError, match="elements: expected"):
         domain.set_elements("plate", "hexes")
+
+
+def test_limits_warn_and_fix_changes_settings_until_they_are_met():
+    square = [(0, 0), (4, 0), (4, 4), (0, 4)]
+    plain = ff.mesh(square, "0.05 + 0.6*x", gradation=1, limits={"max_growth": 1.6})
+    warned = [note for note in plain.notes if note.code == "limit"]
+    assert len(warned) == 1 and warned[0].severity == "warning" and "growth" in warned[0].message
+    fixed = ff.mesh(square, "0.05 + 0.6*x", gradation=1, limits={"max_growth": 1.6}, fix=True)
+    changes = [note.message for note in fixed.notes if note.code == "fixed"]
+    assert changes and "gradation 1" in changes[0]
+    assert len(fixed.check(max_growth=1.6)) < len(plain.check(max_growth=1.6))
+    assert not any("--" in note.message + note.advice for note in plain.notes + fixed.notes)
+
+
+def test_limits_of_projects_hold_and_limits_need_names_and_values(tmp_path):
+    square = [(0, 0), (4, 0), (4, 4), (0, 4)]
+    with pytest.raises(ValueError, match="limits: expected min-angle.*got 'beauty'"):
+        ff.mesh(square, limits={"beauty": 1})
+    with pytest.raises(ValueError, match="min-angle: expected a number from 0 to"):
+        ff.mesh(square, limits={"min_angle": 100})
+    with pytest.raises(ValueError, match="fix: there are no limits"):
+        ff.mesh(square, fix=True)
+
+
+def test_flat_elements_are_warned_of():
+    thin = [(0.1, 0.1), (0.9, 0.9), (0.7, np.nextafter(0.7, 1.0))]
+    mesh = ff.mesh(thin, 1.0)
+    assert any(note.code == "flat-element" for note in mesh.notes)

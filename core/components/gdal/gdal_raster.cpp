@@ -85,6 +85,10 @@ bool readRaster(const GdalFile &file, std::size_t maximum, GdalRaster &raster, G
         return session.fail("the rows of the raster do not run from west to east, the first in the north",
                             "straighten it with gdalwarp FILE NEW");
     }
+    OGRSpatialReferenceH const system = GDALGetSpatialRef(set);
+    const char *const authority = system != nullptr ? OSRGetAuthorityName(system, nullptr) : nullptr;
+    const char *const code = system != nullptr ? OSRGetAuthorityCode(system, nullptr) : nullptr;
+    raster.systemCode = authority != nullptr && code != nullptr ? std::string(authority) + ':' + code : std::string();
     raster.columns = static_cast<std::size_t>(GDALGetRasterXSize(set));
     raster.rows = static_cast<std::size_t>(GDALGetRasterYSize(set));
     raster.bands = static_cast<std::size_t>(GDALGetRasterCount(set));

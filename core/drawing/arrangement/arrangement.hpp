@@ -133,6 +133,8 @@ struct ArrangementInput {
     bool layered = false;
     bool markRegions = false; ///< put a region marker into every face
     bool keepOutside = false; ///< keep lines and points that no shape covers
+    /// Outlines that run along each other with the inside on both sides become a line; else both vanish.
+    bool keepFolds = false;
 };
 
 /// The part of a piece that a segment of the result follows.

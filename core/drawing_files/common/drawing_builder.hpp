@@ -57,9 +57,13 @@ class DrawingBuilder {
 
     /// Sets the default tolerance, limited to ten times the usual one.
     void preferTolerance(double tolerance) { preferred_ = tolerance; }
-    /// Lets lines that form closed loops bound the domain beside its outlines, too; for drawings in which nothing is
-    /// filled, so that outlines differ from lines only in how they were drawn.
-    void letLinesBound() { linesBound_ = true; }
+    /// Lets lines that form closed loops bound the domain beside its outlines, too, and keeps a side that two outlines
+    /// share as a line; for drawings in which nothing is filled, so that outlines differ from lines only in how they
+    /// were drawn.
+    void letLinesBound() {
+        linesBound_ = true;
+        input_.keepFolds = true;
+    }
 
     /// Returns true if there are outlines of shapes, not counting outlines of clips.
     bool hasOutlines() const;

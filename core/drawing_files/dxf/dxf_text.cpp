@@ -36,7 +36,7 @@ void appendUtf8(std::string &text, std::uint32_t character) {
 }
 
 /// Returns the name of a code page for iconv: "ANSI_1252" and "DOS850" are "CP1252" and "CP850".
-std::string pageName(std::string_view codepage) {
+[[maybe_unused]] std::string pageName(std::string_view codepage) {
     const std::string lower = lowerCase(codepage);
     const std::size_t digits = lower.find_first_of("0123456789");
     if (lower.starts_with("iso8859") || lower.starts_with("iso-8859")) {

@@ -88,6 +88,12 @@ bool stalls(const std::vector<AdaptRound> &rounds) {
     return true;
 }
 
+/// Returns the index of the first value that is not finite; their number if all are.
+std::size_t firstNotFinite(const std::vector<double> &values) {
+    const auto found = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
+    return static_cast<std::size_t>(found - values.begin());
+}
+
 } // namespace
 
 Result<NodalField> expressionField(const std::string &expression) {
@@ -107,13 +113,11 @@ Result<NodalField> expressionField(const std::string &expression) {
             const std::size_t count = std::min(kBatch, values.size() - first);
             shared->evaluateMany(std::span(mesh.nodes).subspan(first, count), std::span(values).subspan(first, count));
         }
-        for (std::size_t n = 0; n < values.size(); ++n) {
-            if (!std::isfinite(values[n])) {
-                Diagnostics faults = error("expression-value", "the field is not finite at a node",
-                                           "choose an expression that is finite everywhere in the domain");
-                faults.front().at = mesh.nodes[n];
-                return faults;
-            }
+        if (const std::size_t n = firstNotFinite(values); n < values.size()) {
+            Diagnostics faults = error("expression-value", "the field is not finite at a node",
+                                       "choose an expression that is finite everywhere in the domain");
+            faults.front().at = mesh.nodes[n];
+            return faults;
         }
         return values;
     });
@@ -133,8 +137,7 @@ Result<AdaptOutcome> meshInRounds(const MeshingJob &job, TriMesh mesh, const Nod
         if (!values) {
             return values.faults();
         }
-        if (values->size() != outcome.mesh.nodes.size() ||
-            !std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); })) {
+        if (values->size() != outcome.mesh.nodes.size() || firstNotFinite(*values) < values->size()) {
             return error("field-value", "the field is not finite at every node of the mesh",
                          "check that the solver converges on this mesh");
         }
@@ -162,6 +165,12 @@ Result<AdaptOutcome> meshInRounds(const MeshingJob &job, TriMesh mesh, const Nod
 
 Result<AdaptOutcome> meshOnce(const MeshingJob &job, const TriMesh &mesh, const std::vector<double> &values,
                               const AdaptTarget &target, const Progress &progress, const AdaptReport &report) {
+    if (const std::size_t n = firstNotFinite(values); n < values.size()) {
+        Diagnostics faults =
+            error("field-value", "the field is not finite at a node", "give a value at every node of the mesh");
+        faults.front().at = mesh.nodes[n];
+        return faults;
+    }
     AdaptOutcome outcome;
     const Result<ErrorEstimate> estimate = estimateError(mesh, values, progress);
     if (!estimate) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/base/large_pages.hpp"
+#include "core/engine/platform/large_pages.hpp"
 
 #include <memory>
 #include <type_traits>

@@ -3,6 +3,7 @@
 #include "core/engine/base/ids.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/curve_chains.hpp"
+#include "core/engine/domain/unmarked_region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -259,6 +260,9 @@ Result<std::vector<TransfiniteFace>> findMappedFaces(std::span<const MappedSpec>
                 found.push_back(std::move(*mapped));
             }
             ++region;
+        }
+        if (found.size() == before && spec.region == kUnmarkedRegion) {
+            continue;
         }
         if (found.size() == before) {
             return mappedFault("unknown-region", name, "no face of the domain belongs to it",

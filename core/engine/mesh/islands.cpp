@@ -40,18 +40,22 @@ std::vector<MeshIsland> islandsOf(const MeshView &mesh, const MeshEdges &edges) 
             continue;
         }
         MeshIsland island;
-        double twice = 0.0;
+        double twice = 0.0, around = 0.0;
         const Vec2 origin = mesh.nodes[index(stretch.nodes.front())];
         for (std::size_t k = 0; k < stretch.nodes.size(); ++k) {
             const NodeId a = stretch.nodes[k], b = stretch.nodes[(k + 1) % stretch.nodes.size()];
             twice += cross(mesh.nodes[index(a)] - origin, mesh.nodes[index(b)] - origin);
+            around += distance(mesh.nodes[index(a)], mesh.nodes[index(b)]);
             const auto at = std::lower_bound(boundary.begin(), boundary.end(), KeyedEdge{keyOf(a, b), 0});
             if (at != boundary.end() && at->first == keyOf(a, b)) {
                 island.edges.push_back(at->second);
             }
         }
         island.area = 0.5 * std::fabs(twice);
-        islands.push_back(std::move(island));
+        constexpr double kRounding = 1e-12;
+        if (island.area > kRounding * around * around) { // else it is a closed crack
+            islands.push_back(std::move(island));
+        }
     }
     return islands;
 }

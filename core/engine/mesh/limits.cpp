@@ -91,8 +91,28 @@ bool MeshLimits::any() const {
     return std::any_of(values.begin(), values.end(), [](const auto &value) { return value.has_value(); });
 }
 
+Diagnostics warningsOf(std::span<const LimitVerdict> verdicts) {
+    Diagnostics warnings;
+    for (const LimitVerdict &verdict : verdicts) {
+        if (!verdict.met()) {
+            Diagnostics warning = error("limit", "the mesh violates a limit: " + toString(verdict),
+                                        "a check of the mesh lists the places");
+            warning.front().severity = Severity::Warning;
+            warnings.push_back(std::move(warning.front()));
+        }
+    }
+    return warnings;
+}
+
 std::string valueText(MeshLimit limit, double value) {
     return numberText(value, 4) + infoOf(limitInfo(limit).measure).unit;
+}
+
+MeshLimits mergedLimits(MeshLimits limits, const MeshLimits &given) {
+    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+        limits[limit] = given[limit] ? given[limit] : limits[limit];
+    }
+    return limits;
 }
 
 std::string limitFault(MeshLimit limit, double value) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,6 +64,9 @@ struct MeshLimits {
     friend bool operator==(const MeshLimits &, const MeshLimits &) = default;
 };
 
+/// Returns limits of which those in `given` hold before those in `limits`.
+MeshLimits mergedLimits(MeshLimits limits, const MeshLimits &given);
+
 /// Returns the error in the value of a limit, "expected a number from 0 to 90, got 100"; empty if it is valid.
 std::string limitFault(MeshLimit limit, double value);
 
@@ -101,6 +105,8 @@ std::string toString(const LimitVerdict &verdict);
 /// Returns an error for each place of a verdict: "element 12: min ∠ 12.3° violates the limit 25°". An edge is named by
 /// its nodes. `numbers`: of the nodes and elements.
 Diagnostics faultsOf(const LimitVerdict &verdict, const MeshNumbers &numbers = {});
+/// Returns a warning for each verdict that is not met, with its line.
+Diagnostics warningsOf(std::span<const LimitVerdict> verdicts);
 /// Returns a value with the unit of the limit: "12.3°".
 std::string valueText(MeshLimit limit, double value);
 

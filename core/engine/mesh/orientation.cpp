@@ -36,6 +36,19 @@ bool isClockwise(const MeshView &mesh) {
     return mesh.elementCount() != 0;
 }
 
+ClockwiseElements clockwiseElements(const MeshView &mesh) {
+    ClockwiseElements found;
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            if (cornerSigns(mesh.nodes, block.nodesOf(k).first(block.traits().corners)).ofArea() < 0) {
+                found.first = found.count == 0 ? block.first + k : found.first;
+                ++found.count;
+            }
+        }
+    }
+    return found;
+}
+
 TriMesh turned(TriMesh mesh) {
     for (Element &element : mesh.elements) {
         std::swap(element[1], element[2]);

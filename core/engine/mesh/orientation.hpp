@@ -18,6 +18,11 @@ CornerSigns cornerSigns(std::span<const Vec2> nodes, std::span<const NodeId> cor
 /// Returns true if the mesh has elements and the corners of all of them are clockwise, by exact signs. Their nodes must
 /// exist.
 bool isClockwise(const MeshView &mesh);
+/// Returns the number of elements whose corners are clockwise, by exact signs, and the first of them.
+struct ClockwiseElements {
+    std::size_t count = 0, first = 0;
+};
+ClockwiseElements clockwiseElements(const MeshView &mesh);
 
 /// Returns the mesh with every element turned the other way; its first corner stays first.
 TriMesh turned(TriMesh mesh);

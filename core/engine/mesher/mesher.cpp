@@ -1,10 +1,10 @@
 #include "core/engine/mesher/mesher.hpp"
 
-#include "core/engine/base/large_pages.hpp"
 #include "core/engine/grid/all_grids.hpp"
 #include "core/engine/mesher/classic_advancer.hpp"
 #include "core/engine/mesher/fast_advancer.hpp"
 #include "core/engine/mesher/strip_runner.hpp"
+#include "core/engine/platform/large_pages.hpp"
 
 #include <algorithm>
 #include <type_traits>

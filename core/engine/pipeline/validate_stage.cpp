@@ -1,5 +1,6 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/crack_lines.hpp"
+#include "core/engine/domain/unmarked_region.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/refine/least_angle.hpp"
@@ -81,7 +82,7 @@ Status checkRegionElements(const MeshingJob &job, const DomainFaces &faces) {
     }
     for (const RegionElements &own : job.regionElements) {
         const std::string name = "elements of the region " + regionName(job.domain.regionNames, own.region);
-        if (!known.contains(own.region)) {
+        if (!known.contains(own.region) && own.region != kUnmarkedRegion) {
             return error("unknown-region", name + ": no face of the domain belongs to it",
                          "choose a region of the domain");
         }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <string_view>
 
@@ -27,6 +28,8 @@ enum class FileAccess : std::uint8_t {
 FileHandle openFile(const std::filesystem::path &path, FileAccess access);
 /// Returns false if the last bytes could not be written.
 bool closeFile(FileHandle file);
+/// Returns a stream that reads a file as bytes, and closes it in the end; null on failure, which leaves it open.
+std::FILE *streamOf(FileHandle file);
 /// Reads up to `bytes`; 0 at the end, negative on failure, which may be EINTR.
 std::ptrdiff_t readSome(FileHandle file, char *buffer, std::size_t bytes);
 /// Writes up to all of the bytes; negative on failure, which may be EINTR.

@@ -51,6 +51,10 @@ bool closeFile(FileHandle file) {
     return ::close(file) == 0;
 }
 
+std::FILE *streamOf(FileHandle file) {
+    return ::fdopen(file, "rb");
+}
+
 std::ptrdiff_t readSome(FileHandle file, char *buffer, std::size_t bytes) {
     return ::read(file, buffer, bytes);
 }

@@ -50,6 +50,10 @@ bool closeFile(FileHandle file) {
     return ::_close(file) == 0;
 }
 
+std::FILE *streamOf(FileHandle file) {
+    return ::_fdopen(file, "rb");
+}
+
 std::ptrdiff_t readSome(FileHandle file, char *buffer, std::size_t bytes) {
     return ::_read(file, buffer, atMostInt(bytes));
 }

@@ -36,6 +36,7 @@ struct GdalRaster {
     std::size_t columns = 0, rows = 0;
     std::vector<double> values; ///< row by row from the bottom, each from the left; NaN: none
     std::size_t bands = 1;
+    std::string systemCode; ///< of its reference system, such as "EPSG:3067"; empty: it names none
 };
 
 /// What went wrong, and the warnings of GDAL.

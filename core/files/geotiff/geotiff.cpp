@@ -34,6 +34,9 @@ Result<Raster> readGeoTiffRaster(const SourceText &source) {
         return gdalFailure(report);
     }
     noteWarnings(report, source);
+    DrawingContents contents;
+    contents.system.code = read.systemCode;
+    source.reportContents(contents);
     if (read.bands > 1) {
         source.note("raster-bands", "only the first of the " + std::to_string(read.bands) + " bands is read", 0);
     }

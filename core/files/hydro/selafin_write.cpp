@@ -1,11 +1,14 @@
+#include "core/engine/base/letter_case.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/shoreline.hpp"
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/hydro/selafin.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -52,11 +55,26 @@ class FortranRecords {
     TextWriter &out_;
 };
 
-/// Returns the whole number of units that the origin moves along an axis, so that coordinates become small.
-std::int32_t shiftOf(double low, double high) {
+/// Returns the whole number of units that the origin moves along an axis, so that coordinates become small. `shortest`:
+/// of the edges, for which rounding to single precision must be small.
+std::int32_t shiftOf(double low, double high, double shortest) {
     const double middle = std::floor(0.5 * (low + high));
-    const bool far = std::max(std::fabs(low), std::fabs(high)) > kFarFromOrigin;
+    const double farthest = std::max(std::fabs(low), std::fabs(high));
+    constexpr double kRounding = 0x1p-24, kSmall = 1e-3;
+    const bool far = farthest > kFarFromOrigin || kRounding * farthest > kSmall * shortest;
     return far && std::fabs(middle) < 2e9 ? static_cast<std::int32_t>(middle) : 0;
+}
+
+double shortestEdge(const MeshView &mesh) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
+        const std::span<const NodeId> corners = mesh.cornersOf(e);
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const NodeId next = corners[(k + 1) % corners.size()];
+            shortest = std::min(shortest, distance(mesh.nodes[index(corners[k])], mesh.nodes[index(next)]));
+        }
+    }
+    return shortest;
 }
 
 struct Shift {
@@ -65,7 +83,8 @@ struct Shift {
 
 Shift shiftOf(const MeshView &mesh) {
     const Box2 box = mesh.bounds();
-    return {shiftOf(box.min.x, box.max.x), shiftOf(box.min.y, box.max.y)};
+    const double shortest = shortestEdge(mesh);
+    return {shiftOf(box.min.x, box.max.x, shortest), shiftOf(box.min.y, box.max.y, shortest)};
 }
 
 /// Returns the nodes of the boundary, loop by loop: around the mesh, then around islands. Fault: not-manifold, if the
@@ -138,7 +157,9 @@ Status writeSelafin(FileSet &files, const std::filesystem::path &path, const Mes
         return shore.faults();
     }
     std::filesystem::path geometry = path, conditions = path;
-    geometry.replace_extension(kSelafinExtensions[0]);
+    if (lowerCase(path.extension().string()) != kSelafinExtensions[0]) {
+        geometry.replace_extension(kSelafinExtensions[0]);
+    }
     conditions.replace_extension(kSelafinExtensions[1]);
     files.write(
         geometry, [&](TextWriter &out) { writeGeometry(mesh, *shore, out); }, progress);

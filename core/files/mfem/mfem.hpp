@@ -9,11 +9,12 @@
 
 namespace forefront {
 
-/// Reads a mesh of MFEM (mesh v1.0 and v1.2) with straight edges. Every fault carries its place in the source.
+/// Reads a mesh of MFEM (mesh v1.0 and v1.2) with straight edges, or with nodes of second order. Every fault carries
+/// its place in the source.
 Result<Mesh> readMfem(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is of this format.
 bool looksLikeMfem(std::string_view head);
-/// Writes a mesh of MFEM (mesh v1.0).
+/// Writes a mesh of MFEM (mesh v1.0); one of second order with all elements as such.
 void writeMfem(const MeshView &mesh, TextWriter &out);
 
 } // namespace forefront

@@ -217,7 +217,15 @@ Diagnostics noteOpenFoamChanges(const MeshView &mesh) {
     UniqueNames unique;
     TagList tags = tagsOf(mesh);
     tags.points.clear();
-    return noteChangedNames(tags, foamNames(tags, unique));
+    Diagnostics notes = noteChangedNames(tags, foamNames(tags, unique));
+    if (!mesh.periodic.empty()) {
+        Diagnostic &note = notes.emplace_back();
+        note.severity = Severity::Note;
+        note.code = "periodic";
+        note.message = "periodic parts are plain patches, whose faces fit each other";
+        note.advice = "make cyclic patches of them with createPatch";
+    }
+    return notes;
 }
 
 } // namespace forefront

@@ -62,6 +62,13 @@ std::vector<Cell> cellsOf(std::string_view line, std::size_t offset, char separa
     return cells;
 }
 
+constexpr int kNoName = 3;
+
+/// Returns how well a name of a column says that it holds the names of parts, 0: best.
+int rankOfName(const std::string &name) {
+    return name == "part" ? 0 : name == "path" ? 1 : name == "name" ? 2 : kNoName;
+}
+
 /// A run of points that are one path.
 struct PointPath {
     std::string name;
@@ -149,6 +156,7 @@ class CsvReader {
         }
         std::optional<std::size_t> x, y;
         std::vector<std::string> others;
+        int best = kNoName;
         for (std::size_t k = 0; k < cells.size(); ++k) {
             const std::string name = lowerCase(cells[k].text);
             const bool letter = name.size() == 1 ||
@@ -157,7 +165,11 @@ class CsvReader {
                 x = k;
             } else if (!y && ((letter && name[0] == 'y') || name == "northing")) {
                 y = k;
-            } else if (!name_ && (name == "path" || name == "part" || name == "name")) {
+            } else if (const int rank = rankOfName(name); rank < best) {
+                if (name_) {
+                    others.emplace_back(cells[*name_].text);
+                }
+                best = rank;
                 name_ = k;
             } else {
                 others.emplace_back(cells[k].text);

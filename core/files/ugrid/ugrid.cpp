@@ -82,14 +82,17 @@ NetcdfVariable topology() {
             [](BigEndian &values) { values.integer(0); }};
 }
 
-/// Returns the x or y of the nodes: projected coordinates in metres, or longitudes and latitudes.
-NetcdfVariable coordinates(const MeshView &mesh, bool isX, const MapSystem &system) {
+/// Returns the x or y of the nodes: projected coordinates, or longitudes and latitudes.
+NetcdfVariable coordinates(const MeshView &mesh, bool isX, const ExportOptions &options) {
+    const MapSystem &system = options.system;
     const char *const standard = system.geographic ? (isX ? "longitude" : "latitude")
                                                    : (isX ? "projection_x_coordinate" : "projection_y_coordinate");
-    const char *const unit = !system.geographic ? "m" : isX ? "degrees_east" : "degrees_north";
+    const std::string unit = !system.geographic ? projectedUnit(options.unit, system)
+                             : isX              ? "degrees_east"
+                                                : "degrees_north";
     NetcdfVariable variable{isX ? "mesh2d_node_x" : "mesh2d_node_y",
                             {0},
-                            {{"units", std::string(unit)},
+                            {{"units", unit},
                              {"standard_name", std::string(standard)},
                              {"mesh", std::string("mesh2d")},
                              {"location", std::string("node")}},
@@ -160,8 +163,8 @@ void writeUgrid(const MeshView &mesh, const ExportOptions &options, TextWriter &
     if (options.system.known()) {
         file.variables.push_back(systemOf(options.system));
     }
-    file.variables.push_back(coordinates(mesh, true, options.system));
-    file.variables.push_back(coordinates(mesh, false, options.system));
+    file.variables.push_back(coordinates(mesh, true, options));
+    file.variables.push_back(coordinates(mesh, false, options));
     file.variables.push_back(elevations(mesh, options.system));
     file.variables.push_back(
         {"mesh2d_edge_nodes",

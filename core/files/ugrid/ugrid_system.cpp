@@ -50,6 +50,26 @@ std::string systemVariable(const MapSystem &system) {
     return !system.geographic ? "projected_coordinate_system" : usual ? "wgs84" : "geographic_coordinate_system";
 }
 
+std::string projectedUnit(LengthUnit unit, const MapSystem &system) {
+    if (unit == LengthUnit::Inch || unit == LengthUnit::Foot) {
+        return unit == LengthUnit::Inch ? "inch" : "foot";
+    }
+    if (unit != LengthUnit::None) {
+        return std::string(wordOf(unit));
+    }
+    // The axes come last, as LENGTHUNIT["US survey foot",0.304800609601219].
+    const std::string_view text = system.wkt;
+    constexpr std::string_view kMark = "LENGTHUNIT[\"";
+    const std::size_t at = text.rfind(kMark);
+    const std::size_t comma = at == text.npos ? text.npos : text.find(',', at);
+    if (comma == text.npos) {
+        return "m";
+    }
+    double metres = 1.0;
+    std::from_chars(text.data() + comma + 1, text.data() + text.size(), metres);
+    return metres == 1.0 ? std::string("m") : exactText(metres) + " m";
+}
+
 NetcdfVariable systemOf(const MapSystem &system) {
     std::vector<NetcdfAttribute> attributes;
     if (system.centre) {

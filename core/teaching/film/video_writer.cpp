@@ -1,24 +1,14 @@
 #include "core/teaching/film/video_writer.hpp"
 
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/platform/fed_program.hpp"
 
-#include <array>
+#include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
-
-#if !defined(_WIN32)
-#include <csignal>
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
-extern char **environ;
-#endif
 
 namespace forefront {
 
@@ -66,28 +56,10 @@ bool isVideo(const std::filesystem::path &file) {
     return file.extension() == ".mp4" || file.extension() == ".webm";
 }
 
-#if defined(_WIN32)
-
-struct VideoWriter::Encoder {};
-
-Result<VideoWriter> VideoWriter::open(const std::filesystem::path &, int, int, double) {
-    return error("no-encoder", "videos cannot be written on this system", "write a GIF");
-}
-bool VideoWriter::add(const FilmPicture &) {
-    return false;
-}
-Status VideoWriter::finish() {
-    return missingEncoder();
-}
-
-#else
-
-/// The running encoder, with the writing end of its standard input.
+/// The running encoder.
 struct VideoWriter::Encoder {
     std::filesystem::path file, part; ///< to be written; the encoder's own
-    pid_t process = -1;
-    int input = -1;
-    std::FILE *words = nullptr; ///< what it says, for the message of a fault
+    std::unique_ptr<FedProgram> program;
     std::vector<std::uint8_t> palette = filmPalette();
     std::vector<std::uint8_t> frame;
 
@@ -95,78 +67,9 @@ struct VideoWriter::Encoder {
     Encoder(const Encoder &) = delete;
     Encoder &operator=(const Encoder &) = delete;
     ~Encoder() {
-        closeInput();
-        if (process > 0) {
-            ::kill(process, SIGKILL);
-            wait();
-        }
-        if (words != nullptr) {
-            std::fclose(words);
-        }
+        program.reset(); // which may still write its file
         std::error_code gone;
         std::filesystem::remove(part, gone);
-    }
-    void closeInput() {
-        if (const int end = std::exchange(input, -1); end >= 0) {
-            ::close(end);
-        }
-    }
-    /// Returns the exit status of the process, -1 if it was ended by a signal.
-    int wait() {
-        int status = 0;
-        while (::waitpid(std::exchange(process, -1), &status, 0) < 0 && errno == EINTR) {
-        }
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-    bool start(const std::vector<std::string> &call, int &failure) {
-        // A socket rather than a pipe: sending to an encoder that has ended then fails without a signal.
-        std::array<int, 2> ends{-1, -1};
-        words = std::tmpfile();
-        if (words == nullptr || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-            failure = errno;
-            return false;
-        }
-        input = ends[1];
-        std::vector<char *> arguments;
-        for (const std::string &word : call) {
-            arguments.push_back(const_cast<char *>(word.c_str())); // NOLINT(cppcoreguidelines-pro-type-const-cast)
-        }
-        arguments.push_back(nullptr);
-        posix_spawn_file_actions_t files;
-        ::posix_spawn_file_actions_init(&files);
-        ::posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
-        ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-        ::posix_spawn_file_actions_adddup2(&files, ::fileno(words), STDERR_FILENO);
-        failure = ::posix_spawnp(&process, "ffmpeg", &files, nullptr, arguments.data(), environ);
-        ::posix_spawn_file_actions_destroy(&files);
-        ::close(ends[0]);
-        if (failure != 0) {
-            process = -1;
-        }
-        return failure == 0;
-    }
-    bool send(const std::vector<std::uint8_t> &bytes) const {
-        for (std::size_t sent = 0; sent < bytes.size();) {
-            const ssize_t count = ::send(input, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
-            if (count < 0 && errno == EINTR) {
-                continue;
-            }
-            if (count <= 0) {
-                return false;
-            }
-            sent += static_cast<std::size_t>(count);
-        }
-        return true;
-    }
-    /// Returns the first line that the encoder has said.
-    std::string firstWords() const {
-        std::array<char, 400> line{};
-        std::rewind(words);
-        std::string text = std::fgets(line.data(), static_cast<int>(line.size()), words) != nullptr ? line.data() : "";
-        while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) {
-            text.pop_back();
-        }
-        return text;
     }
 };
 
@@ -176,9 +79,11 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path &file, int wid
     encoder->part = file;
     encoder->part += ".part";
     int failure = 0;
-    if (!encoder->start(encoderCall(file, encoder->part, width, height, speed), failure)) {
-        return failure == ENOENT
-                   ? missingEncoder()
+    encoder->program = FedProgram::start(encoderCall(file, encoder->part, width, height, speed), failure);
+    if (!encoder->program) {
+        return failure == ENOENT ? missingEncoder()
+               : failure == ENOSYS
+                   ? error("no-encoder", "videos cannot be written on this system", "write a GIF")
                    : error("cannot-write", "cannot start ffmpeg: " + std::generic_category().message(failure));
     }
     return VideoWriter(std::move(encoder));
@@ -191,23 +96,20 @@ bool VideoWriter::add(const FilmPicture &picture) {
         const std::uint8_t *const colour = encoder_->palette.data() + 3 * static_cast<std::size_t>(pixel);
         encoder_->frame.insert(encoder_->frame.end(), colour, colour + 3);
     }
-    return encoder_->send(encoder_->frame);
+    return encoder_->program->send(encoder_->frame);
 }
 
 Status VideoWriter::finish() {
-    encoder_->closeInput();
     std::error_code failure;
-    if (encoder_->wait() == 0) {
+    if (encoder_->program->finish() == 0) {
         std::filesystem::rename(encoder_->part, encoder_->file, failure);
         return failure ? error("cannot-write", "cannot write " + encoder_->file.string() + ": " + failure.message())
                        : Status();
     }
-    const std::string words = encoder_->firstWords();
+    const std::string words = encoder_->program->firstWords();
     return error("cannot-write",
                  "ffmpeg could not write " + encoder_->file.string() + (words.empty() ? std::string() : ": " + words));
 }
-
-#endif
 
 VideoWriter::VideoWriter(std::unique_ptr<Encoder> encoder) : encoder_(std::move(encoder)) {}
 VideoWriter::VideoWriter(VideoWriter &&) noexcept = default;

@@ -69,16 +69,19 @@ def triangulate(tri: Dict[str, Any], opts: str = "") -> Dict[str, np.ndarray]:
 
     Returns 'vertices', 'vertex_markers', 'triangles', with p 'segments' and 'segment_markers', with A
     'triangle_attributes', with n 'neighbors' (-1: none; neighbor k is opposite to corner k), with e 'edges' and
-    'edge_markers'. With 'holes' or 'regions', these are returned as well.
+    'edge_markers'. With 'holes' or 'regions', these are returned as well. As in Triangle, segments without a marker have 0
+    inside and 1 on the boundary.
 
     Raises MeshError, with places, for invalid input, and where the angle of q or an area of a cannot be had.
     """
     switches = _Switches(opts)
+    if "vertex_attributes" in tri:
+        raise ValueError("vertex_attributes: they are not carried to the mesh; leave them out and interpolate them")
     vertices = np.asarray(tri["vertices"], dtype=float)
     if vertices.ndim != 2 or vertices.shape[1] != 2:
         raise ValueError("vertices: expected an array of shape (n, 2)")
     segments = np.asarray(tri["segments"], dtype=np.int64).reshape(-1, 2) if switches.segments else _hull(vertices)
-    markers = np.asarray(tri.get("segment_markers", np.ones(len(segments))), dtype=np.int64).ravel()
+    markers = np.asarray(tri.get("segment_markers", np.zeros(len(segments))), dtype=np.int64).ravel()
     if not switches.segments:
         markers = np.ones(len(segments), np.int64)
     holes = np.asarray(tri.get("holes", ()), dtype=float).reshape(-1, 2) if switches.segments else np.empty((0, 2))
@@ -203,8 +206,10 @@ def _dict(mesh: Mesh, tri: Dict[str, Any], vertices: np.ndarray, values: Dict[in
           switches: _Switches) -> Dict[str, np.ndarray]:
     nodes, triangles, edges = _inputs_first(mesh, vertices)
     edge_markers = np.array([values[int(tag)] for tag in mesh.edge_tags], np.int32)
+    edge_markers[(edge_markers == 0) & _on_boundary(triangles, edges)] = 1
     vertex_markers = np.zeros(len(nodes), np.int32)
-    vertex_markers[edges.ravel()] = np.repeat(edge_markers, 2)
+    marked = edge_markers != 0
+    vertex_markers[edges[marked].ravel()] = np.repeat(edge_markers[marked], 2)
     if "vertex_markers" in tri:
         given = np.asarray(tri["vertex_markers"], dtype=np.int32).ravel()
         vertex_markers[:len(given)] = np.where(given != 0, given, vertex_markers[:len(given)])
@@ -234,6 +239,14 @@ def _inputs_first(mesh: Mesh, vertices: np.ndarray) -> Tuple[np.ndarray, np.ndar
     new[added] = len(vertices) + np.arange(np.count_nonzero(added))
     nodes = np.concatenate([vertices, mesh.nodes[added]])
     return nodes, new[mesh.elements].astype(np.int32), new[mesh.edges].astype(np.int32)
+
+
+def _on_boundary(triangles: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """Returns whether each edge has a triangle on one side only."""
+    sides = np.sort(np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+    known, counts = np.unique(sides, axis=0, return_counts=True)
+    boundary = {tuple(edge) for edge in known[counts == 1].tolist()}
+    return np.array([tuple(sorted(edge)) in boundary for edge in edges.tolist()], bool)
 
 
 def _all_edges(triangles: np.ndarray, tagged: np.ndarray, markers: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:

@@ -73,7 +73,9 @@ class Assembler {
     std::vector<std::uint8_t> isLine_; ///< per edge: a constraint runs along it and is not clipped away
     std::vector<std::uint8_t> hidden_; ///< per edge: a constraint along it is clipped away; empty without clips
     std::vector<Fate> fate_;           ///< per edge
-    std::vector<BesideEdge> beside_;   ///< per edge; empty if no line may be dropped
+    /// Per edge: outlines that run along each other became a line; empty unless they may.
+    std::vector<std::uint8_t> shared_;
+    std::vector<BesideEdge> beside_; ///< per edge; empty if no line may be dropped
     RepeatedOutlines repeats_;
     std::map<std::uint32_t, double> repeated_; ///< the edges that repeat outlines, with their distance from them
     std::vector<std::int32_t> tag_;            ///< per edge

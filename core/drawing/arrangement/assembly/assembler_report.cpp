@@ -4,6 +4,7 @@
 #include "core/engine/base/ids.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace forefront {
 
@@ -53,6 +54,9 @@ void Assembler::reportLine(std::uint32_t line) {
         const std::uint32_t edge = snapped_.ways[k] / 2;
         const PlaneEdge &ends = snapped_.edges[edge];
         const Vec2 middle = midpoint(snapped_.nodes[ends.a], snapped_.nodes[ends.b]);
+        if (!shared_.empty() && std::exchange(shared_[edge], 0) != 0) {
+            changes_.add(ChangeKind::SharedBoundaries, middle, 0.0, piece);
+        }
         if (kept(edge) || added_[edge] != 0) {
             continue;
         }
