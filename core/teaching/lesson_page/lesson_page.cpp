@@ -7,7 +7,6 @@
 #include "core/teaching/page/run_record.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -189,14 +188,10 @@ class LessonData {
     /// Writes [number, tolerance, hint] for each mistake that has a number.
     void mistakes(const LessonNumber &number, const LessonState &state) {
         bool first = true;
-        for (const LessonNumber::Mistake &mistake : number.mistakes) {
-            const auto value = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
-            if (value) {
-                out_ << (first ? "[" : ",[") << *value << ','
-                     << std::max(number.within, 0.01 * number.percent * std::abs(*value)) << ','
-                     << scriptString(withValues(mistake.hint, state)) << ']';
-                first = false;
-            }
+        for (const KnownMistake &mistake : mistakesOf(number, state)) {
+            out_ << (first ? "[" : ",[") << mistake.number << ',' << mistake.within << ','
+                 << scriptString(withValues(*mistake.hint, state)) << ']';
+            first = false;
         }
     }
 
