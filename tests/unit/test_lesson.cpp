@@ -287,6 +287,19 @@ TEST_CASE("Lesson: a mean is answered as people round it, and so are the mistake
     CHECK(roundingOf(1234.5) == doctest::Approx(5.0));
 }
 
+TEST_CASE("Lesson: only a choice among fixed texts does not depend on the run") {
+    const auto asks = [](const std::string &members) {
+        const auto lesson = readLesson(sourceOf(question(members)), {});
+        REQUIRE_MESSAGE(lesson.ok(), messages(lesson.faults()));
+        return asksAboutRun(*lesson->pages[0].question);
+    };
+    CHECK_FALSE(asks(R"("choices": [{"text": "a", "right": true}, {"text": "b"}])"));
+    CHECK(asks(R"("choices": [{"text": "{front}", "right": true}, {"text": "b"}])"));
+    CHECK(asks(R"("choices": [{"text": "a", "right": {"value": "front", "is": 3}}, {"text": "b"}])"));
+    CHECK(asks(R"("number": "front")"));
+    CHECK(asks(R"("until": {"value": "front", "is": 3})"));
+}
+
 TEST_CASE("Lesson: answers are read with a point or a comma") {
     CHECK(answeredNumber("12") == 12.0);
     CHECK(answeredNumber(" +0,5 ") == 0.5);

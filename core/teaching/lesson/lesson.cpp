@@ -106,6 +106,14 @@ bool isDone(const LessonTask &task, const LessonState &state) {
     return allHold(task.until, state);
 }
 
+bool asksAboutRun(const LessonQuestion &question) {
+    const auto *const choices = std::get_if<LessonChoices>(&question.answer);
+    return choices == nullptr ||
+           std::any_of(choices->list.begin(), choices->list.end(), [](const LessonChoices::Choice &choice) {
+               return !choice.when.empty() || choice.text.find('{') != std::string::npos;
+           });
+}
+
 bool asksForCandidate(const LessonTask &task) {
     return std::any_of(task.until.begin(), task.until.end(), [](const LessonCondition &condition) {
         return condition.value == LessonValue::Chosen || condition.other == LessonValue::Chosen;

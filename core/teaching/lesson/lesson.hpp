@@ -149,6 +149,8 @@ const std::string &hintAfter(const LessonQuestion &question, std::size_t choice)
 const std::string &hintAfter(const LessonQuestion &question, double number, const LessonState &state);
 /// Returns true if the task is done.
 bool isDone(const LessonTask &task, const LessonState &state);
+/// Returns true if the answer of a question depends on the run.
+bool asksAboutRun(const LessonQuestion &question);
 /// Returns true if the task is to choose a candidate.
 bool asksForCandidate(const LessonTask &task);
 /// Returns true if a condition of the task needs a snapshot with its mesh, see needsMesh().
