@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/outputs.hpp"
+#include "app/batch/progress_bar.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/files.hpp"
 #include "core/files/text/atomic_file.hpp"
@@ -100,12 +101,14 @@ int checkFile(const std::filesystem::path &path, const LessonArguments &argument
     if (!file) {
         return refuse(file.faults(), interrupt);
     }
-    Progress progress;
-    progress.stop = interrupt.token();
+    ProgressBar bar(true);
+    const Progress progress = bar.progress(interrupt.token());
     const bool drawsSeeds = file->lesson.seed > 0 && !arguments.seed;
     LessonRuns runs(arguments.output || drawsSeeds ? LessonRuns::Keep::All : LessonRuns::Keep::Last);
-    const SeedCheck check = drawsSeeds ? checkSeeds(*file, editorNames(), runs, progress)
-                                       : SeedCheck{checkLesson(file->lesson, file->source(), runs, progress), 0, true};
+    const SeedCheck check = bar.during("checking", [&] {
+        return drawsSeeds ? checkSeeds(*file, editorNames(), runs, progress)
+                          : SeedCheck{checkLesson(file->lesson, file->source(), runs, {{}, progress.stop}), 0, true};
+    });
     if (interrupt.interrupted() || hasErrors(check.faults)) {
         return refuse(check.faults, interrupt);
     }
@@ -115,7 +118,8 @@ int checkFile(const std::filesystem::path &path, const LessonArguments &argument
                 check.faults.empty() ? "no faults"
                                      : ("no errors, " + countText(check.faults.size(), "warning")).c_str(),
                 seedsText(check).c_str());
-    return arguments.output ? writePage(*file, runs, *arguments.output, progress, interrupt) : kDone;
+    const Progress quiet{{}, progress.stop};
+    return arguments.output ? writePage(*file, runs, *arguments.output, quiet, interrupt) : kDone;
 }
 
 /// Checks a file of answers to a lesson and prints how they do. Returns the exit code.
@@ -137,10 +141,11 @@ int checkAnswerFile(const std::filesystem::path &lesson, const std::filesystem::
     if (!file) {
         return refuse(file.faults(), interrupt);
     }
-    Progress progress;
-    progress.stop = interrupt.token();
+    ProgressBar bar(true);
     LessonRuns runs;
-    const Result<AnswerScore> score = checkAnswers(*answers, source, file->lesson, runs, progress);
+    const Result<AnswerScore> score = bar.during("checking answers", [&] {
+        return checkAnswers(*answers, source, file->lesson, runs, bar.progress(interrupt.token()));
+    });
     if (!score || interrupt.interrupted()) {
         return refuse(score ? Diagnostics() : score.faults(), interrupt);
     }
