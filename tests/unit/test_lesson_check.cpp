@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -172,7 +173,7 @@ TEST_CASE("Lesson page: the runs of the check are used again, and what only the 
     CHECK(checkLesson(*read, source, runs, {}).empty());
     StringSink sink;
     TextWriter out(sink);
-    const Status warnings = writeLessonPage(*read, runs, out, {});
+    const Status warnings = writeLessonPage(*read, runs, out, {}, 300); // of steps of the improvement: one
     out.flush();
     CHECK(runs.made() == 1);
     REQUIRE(warnings.size() == 1);
@@ -181,6 +182,16 @@ TEST_CASE("Lesson page: the runs of the check are used again, and what only the 
     CHECK(warnings.front().line == 3);
     CHECK(sink.text.find("This task needs a moment that the editor shows") != std::string::npos);
     CHECK(sink.text.find("\"note\":\"This page is about step ") != std::string::npos);
+    StringSink whole;
+    TextWriter all(whole);
+    CHECK(writeLessonPage(*read, runs, all, {}).empty()); // with all steps
+    all.flush();
+    CHECK(whole.text.find("note\":") == std::string::npos);
+    const std::uint64_t advances = (*runs.of(read->pages[0], {}))->advances();
+    REQUIRE(advances < 46);
+    const std::string front = '[' + std::to_string(advances) + ",0,";
+    CHECK(whole.text.find("\"done\":[" + front + "2,-1,") != std::string::npos);
+    CHECK(whole.text.find("\"at\":" + front + std::to_string(46 - advances) + ']') != std::string::npos);
 }
 
 TEST_CASE("Lesson check: names of layers, panels and widgets are known without a window") {
