@@ -3,8 +3,10 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/run_arguments.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/teaching/film/film_files.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -28,7 +30,8 @@ Examples:
   forefront film plate.json -o steps.gif --method classic --from 40 --steps 6 --events --follow --labels
         six advances event by event, with the view close to the front
   forefront film plate.json -o run.html --method classic
-        a page that plays the run in a browser, forward and back, with the ten steps and the candidates; needs no network
+        a page that plays the run in a browser, forward and back, with the ten steps, the candidates and the steps of
+        the improvement; needs no network
 
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
@@ -109,25 +112,29 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
                    "picture per frame; FILE.png, .svg or .pdf: one moment, the last unless --at is given")
         ->type_name("FILE")
         ->required();
-    auto *const from = app.add_option("--from", arguments.from, "first moment: the number of advances done; default 0")
+    auto *const from = app.add_option("--from", arguments.from,
+                                      "first moment: the number of advances done; after the last one, the steps of the "
+                                      "improvement count on; default 0")
                            ->check(wholeNumberWithin(0, 1'000'000'000));
-    auto *const steps =
-        app.add_option("--steps", arguments.steps, "number of advances shown; default: to the end of the run")
-            ->check(wholeNumberWithin(1, 1'000'000'000));
-    app.add_option("--at", arguments.at, "the moment of a single picture: the number of advances done")
+    auto *const steps = app.add_option("--steps", arguments.steps,
+                                       "number of advances shown; default: to the end of the run, with its improvement")
+                            ->check(wholeNumberWithin(1, 1'000'000'000));
+    app.add_option("--at", arguments.at, "the moment of a single picture, counted as --from")
         ->check(wholeNumberWithin(0, 1'000'000'000))
         ->excludes(from)
         ->excludes(steps);
     app.add_flag("--labels", arguments.labels,
                  "also show A, B, C, the search circle, and the rank and score of each candidate");
-    app.add_option("--frames", arguments.plan.frames, "maximum number of frames, default 120; long runs skip advances")
+    app.add_option("--frames", arguments.plan.frames,
+                   "maximum number of frames, default 120; long runs skip advances, then steps")
         ->check(wholeNumberWithin(1, FilmPlan::kMaxFrames));
     app.add_option("--width", arguments.plan.width, "width in pixels, default 800")
         ->check(wholeNumberWithin(FilmPlan::kMinWidth, FilmPlan::kMaxWidth));
     app.add_option("--speed", arguments.plan.speed, "frames per second of an animation, default 10")
         ->check(numberWithin(FilmPlan::kSlowest, FilmPlan::kFastest));
     app.add_option("--layers", arguments.layers,
-                   "comma-separated: mesh, boundary, front, candidates, grid, caption, labels")
+                   "comma-separated: mesh, boundary, front, candidates, grid, caption, labels, improvement (what its "
+                   "steps change)")
         ->delimiter(',')
         ->check(oneOf(wordsOf<FilmLayer>()));
     addBoxOption(app, "--view", "part of the plane shown; default: the whole domain", arguments.plan.view);
@@ -172,13 +179,16 @@ int filmCommand(const CommandLine &line) {
         return refuse(locateInRun(written.faults(), arguments.run, input), interrupt);
     }
     if (plan.steps && written->last - written->first < *plan.steps) {
-        std::fprintf(stderr, "note: the run ends at advance %llu, before --steps %llu are shown\n",
-                     static_cast<unsigned long long>(written->last), static_cast<unsigned long long>(*plan.steps));
+        const std::uint64_t steps = written->last - std::min(written->last, written->advances);
+        std::fprintf(stderr, "note: the run ends at advance %llu%s, before --steps %llu are shown\n",
+                     static_cast<unsigned long long>(written->advances),
+                     steps > 0 ? (" and " + countText(steps, "step") + " of the improvement").c_str() : "",
+                     static_cast<unsigned long long>(*plan.steps));
     }
     if (plan.layers.has(FilmLayer::Labels) && !plan.isPage() && !written->labelled) {
         std::fprintf(stderr, "note: no labels: %s\n",
                      plan.view ? "no advance of the film lies in --view"
-                               : "at the start and in the improved mesh there is no advance to show");
+                               : "at the start and in the improvement there is no advance to show");
     }
     const unsigned long long count = plan.isPage() ? written->last : static_cast<unsigned long long>(written->frames);
     std::printf("wrote %s: %llu %s%s\n", plan.output.c_str(), count, plan.isPage() ? "advance" : "frame",

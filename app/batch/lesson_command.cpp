@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/outputs.hpp"
+#include "app/batch/progress_bar.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/files.hpp"
 #include "core/files/text/atomic_file.hpp"
@@ -11,6 +12,7 @@
 #include "core/teaching/lesson/lesson_file.hpp"
 #include "core/teaching/lesson/lesson_names.hpp"
 #include "core/teaching/lesson/random_numbers.hpp"
+#include "core/teaching/lesson/seed_check.hpp"
 #include "core/teaching/lesson_page/lesson_page.hpp"
 
 #include <algorithm>
@@ -42,8 +44,9 @@ Examples:
 The format of lessons is described in assets/lessons/README.md. The check runs every drawing, so it knows whether
 a position exists, whether a value has a number there and which answers are right. The page shows mesh, front,
 candidates and cells; other layers and the panels of the editor are left out. It saves the learner's answers as a file.
-A lesson with random numbers is checked with the seeds 1 to 5, unless --seed chooses one. Answers are checked with the
-seed in their file; they are answered again, and a file that claims what is not so is refused.
+A lesson with random numbers is checked with every number of ranges up to 64, and with samples of larger ones, unless
+--seed chooses one. Answers are checked with the seed in their file; they are answered again, and a file that claims
+what is not so is refused.
 
 Exit codes: 0 no faults, or warnings only; 1 a lesson or a file of answers has faults (on stderr, one per line);
 2 usage error, 3 cancelled.)help";
@@ -84,27 +87,11 @@ int writePage(const LessonFile &lesson, LessonRuns &runs, const std::filesystem:
     return kDone;
 }
 
-/// Prints the outcome of a check: what the lesson holds, and how it is.
-void printChecked(const LessonFile &file, const Diagnostics &faults) {
-    const std::string found = faults.empty() ? "no faults" : "no errors, " + countText(faults.size(), "warning");
-    std::printf("%s: %s, %s; %s\n", file.path.string().c_str(), countText(file.lesson.pages.size(), "page").c_str(),
-                countText(questionsOf(file.lesson), "question").c_str(), found.c_str());
-}
-
-/// Checks a lesson with further seeds. Returns the faults of the first that has errors.
-Diagnostics checkMoreSeeds(const std::filesystem::path &path, const Progress &progress) {
-    constexpr std::uint64_t kSeeds = 5;
-    for (std::uint64_t seed = 2; seed <= kSeeds && !progress.cancelled(); ++seed) {
-        const Result<LessonFile> file = readSeeded(path, seed);
-        Diagnostics faults = file ? checkLesson(file->lesson, file->source(), progress) : file.faults();
-        if (hasErrors(faults)) {
-            for (Diagnostic &fault : faults) {
-                fault.message += " (with the random numbers of --seed " + std::to_string(seed) + ')';
-            }
-            return faults;
-        }
-    }
-    return {};
+/// Returns how many random numbers a check has tried: ", with the random numbers of 18 seeds, every one of them".
+std::string seedsText(const SeedCheck &check) {
+    return check.seeds == 0 ? std::string()
+                            : ", with " + std::string(check.everyNumber ? "every random number" : "random numbers") +
+                                  " of " + countText(check.seeds, "seed");
 }
 
 /// Checks a lesson, prints its faults, or what it holds, and writes its page if there is to be one. Returns the exit
@@ -114,20 +101,25 @@ int checkFile(const std::filesystem::path &path, const LessonArguments &argument
     if (!file) {
         return refuse(file.faults(), interrupt);
     }
-    Progress progress;
-    progress.stop = interrupt.token();
-    LessonRuns runs(arguments.output ? LessonRuns::Keep::All : LessonRuns::Keep::Last);
-    Diagnostics faults = checkLesson(file->lesson, file->source(), runs, progress);
-    if (!hasErrors(faults) && file->lesson.seed > 0 && !arguments.seed) {
-        const Diagnostics more = checkMoreSeeds(path, progress);
-        faults.insert(faults.end(), more.begin(), more.end());
+    ProgressBar bar(true);
+    const Progress progress = bar.progress(interrupt.token());
+    const bool drawsSeeds = file->lesson.seed > 0 && !arguments.seed;
+    LessonRuns runs(arguments.output || drawsSeeds ? LessonRuns::Keep::All : LessonRuns::Keep::Last);
+    const SeedCheck check = bar.during("checking", [&] {
+        return drawsSeeds ? checkSeeds(*file, editorNames(), runs, progress)
+                          : SeedCheck{checkLesson(file->lesson, file->source(), runs, {{}, progress.stop}), 0, true};
+    });
+    if (interrupt.interrupted() || hasErrors(check.faults)) {
+        return refuse(check.faults, interrupt);
     }
-    if (interrupt.interrupted() || hasErrors(faults)) {
-        return refuse(faults, interrupt);
-    }
-    printFaults(faults);
-    printChecked(*file, faults);
-    return arguments.output ? writePage(*file, runs, *arguments.output, progress, interrupt) : kDone;
+    printFaults(check.faults);
+    std::printf("%s: %s, %s; %s%s\n", file->path.string().c_str(), countText(file->lesson.pages.size(), "page").c_str(),
+                countText(questionsOf(file->lesson), "question").c_str(),
+                check.faults.empty() ? "no faults"
+                                     : ("no errors, " + countText(check.faults.size(), "warning")).c_str(),
+                seedsText(check).c_str());
+    const Progress quiet{{}, progress.stop};
+    return arguments.output ? writePage(*file, runs, *arguments.output, quiet, interrupt) : kDone;
 }
 
 /// Checks a file of answers to a lesson and prints how they do. Returns the exit code.
@@ -149,10 +141,11 @@ int checkAnswerFile(const std::filesystem::path &lesson, const std::filesystem::
     if (!file) {
         return refuse(file.faults(), interrupt);
     }
-    Progress progress;
-    progress.stop = interrupt.token();
+    ProgressBar bar(true);
     LessonRuns runs;
-    const Result<AnswerScore> score = checkAnswers(*answers, source, file->lesson, runs, progress);
+    const Result<AnswerScore> score = bar.during("checking answers", [&] {
+        return checkAnswers(*answers, source, file->lesson, runs, bar.progress(interrupt.token()));
+    });
     if (!score || interrupt.interrupted()) {
         return refuse(score ? Diagnostics() : score.faults(), interrupt);
     }

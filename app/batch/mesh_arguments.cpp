@@ -216,7 +216,8 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
         ->add_option("--spacing-file", arguments.spacingFile,
                      "use the spacing of a project, a background mesh (" + spacingFiles<FileKind::Mesh>() +
                          "), a grid of sizes (" + spacingFiles<FileKind::Grid>() + ") or a picture (" +
-                         spacingFiles<FileKind::Picture>() + ")")
+                         spacingFiles<FileKind::Picture>() +
+                         "); of any mesh without nodal values, the sizes of its elements")
         ->type_name("FILE");
     spacing->require_option(0, 1);
     addPictureOptions(app, arguments.pictureSizes, arguments.pictureBox);

@@ -1,6 +1,7 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/mesh_domain.hpp"
 #include "core/files/common/dropped_fields.hpp"
+#include "core/files/common/element_sizes.hpp"
 #include "core/files/format.hpp"
 #include "core/files/read_file.hpp"
 
@@ -179,8 +180,15 @@ Result<MeshField> FormatList::readField(const std::filesystem::path &path, std::
 Result<SpacingSpec> FormatList::readSpacing(const std::filesystem::path &path, const ImportOptions &options,
                                             ImportNotes *notes) const {
     return readFile<SpacingSpec>(
-        *this, path, options, notes, [](const Format &format) { return format.readSpacing != nullptr; },
-        [](const Format &format, const SourceText &source) { return format.readSpacing(source); });
+        *this, path, options, notes,
+        [](const Format &format) { return format.readSpacing != nullptr || format.readMesh != nullptr; },
+        [](const Format &format, const SourceText &source) -> Result<SpacingSpec> {
+            if (format.readSpacing != nullptr) {
+                return format.readSpacing(source);
+            }
+            Result<Mesh> mesh = format.readMesh(source);
+            return mesh ? elementSizes(*mesh, source) : mesh.faults();
+        });
 }
 
 } // namespace forefront

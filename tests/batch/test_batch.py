@@ -272,7 +272,8 @@ class Meshing(Case):
         pages[0]["question"] = {"text": "q", "until": {"value": "improve-step", "is": 1}, "hint": "{front}"}
         written = check(0, "-o", "page.html")
         self.assertIn("no faults", written.stdout)
-        self.assertRegex(written.stderr, r"lesson\.json:\d+:\d+: warning: page 'P': no moment of the page .*\[not-on-page\]")
+        self.assertEqual(written.stderr, "")  # the page has the steps of the improvement
+        self.assertRegex((self.path / "page.html").read_text(), r'"done":\[\[\d+,0,1,-1,')
         pages[0]["question"] = {"text": "q", "until": {"value": "advance", "is": 2}}
         self.assertIn("no errors, 1 warning", check().stdout)
         pages[0]["question"] = {"text": "q", "number": "front"}
@@ -1765,6 +1766,31 @@ class Films(Case):
         self.assertEqual(triangles, sorted(triangles))
         self.assertEqual(triangles[-1], self.stats("plate.poly", "-o", "p.msh", "--method", "classic", "--size", "1")["elements"])
         self.assertIn("Advance 0, ", drawings[0])
+
+    def test_a_film_goes_on_through_the_improvement(self):
+        film = ["film", "plate.poly", "--method", "classic", "--size", "1"]
+        self.call(*film, "-o", "f-%d.svg", "--frames", "20")
+        said = [" ".join(re.findall(r">([^<]+)</text>", self.read(f"f-{k}.svg"))) for k in range(1, 21)]
+        steps = [text for text in said if text.startswith("Improvement ")]
+        front = [text for text in said if text.startswith("Advance ")]
+        self.assertEqual(said, front + steps)
+        self.assertGreaterEqual(len(steps), 4)  # a quarter, without the first frame
+        total = int(re.match(r"Improvement (\d+) of \1: ", said[-1])[1])
+        advances = int(re.match(r"Advance (\d+), 0 segments", front[-1])[1])
+        self.assertGreaterEqual(total, len(steps))
+        self.call(*film, "-o", "m.svg", "--at", str(advances + 1))
+        self.assertIn(f">Improvement 1 of {total}: ", self.read("m.svg"))
+        self.assertIn("#1b9e77", self.read("m.svg"))
+        self.call(*film, "-o", "m.svg", "--at", str(advances + 1), "--layers", "mesh,caption")
+        self.assertNotIn("#1b9e77", self.read("m.svg"))
+        self.call(*film, "-o", "m.svg", "--at", str(advances))
+        self.assertIn(f">Advance {advances}, 0 segments", self.read("m.svg"))
+        events = self.call(*film, "-o", "e-%d.svg", "--from", str(advances), "--events").stdout
+        self.assertIn(f": {total + 1} frames", events)
+        beyond = self.call(*film, "-o", "m.svg", "--at", str(advances + total + 1), code=1).stderr
+        self.assertIn(f"only {advances} advances and {total} steps of the improvement", beyond)
+        note = self.call(*film, "-o", "run.gif", "--width", "100", "--frames", "3", "--steps", "1000").stderr
+        self.assertIn(f"ends at advance {advances} and {total} steps of the improvement, before --steps 1000", note)
 
     def test_tall_domains_get_room_beside_them(self):
         self.write("tall.poly", poly([[(0.0, 0.0), (1.0, 0.0), (1.0, 1000.0), (0.0, 1000.0)]]))

@@ -36,6 +36,9 @@ class Files(unittest.TestCase):
     def test_a_page_is_small_and_needs_nothing_else(self):
         text = page("plate.json", "plate.html", "--steps", "500").read_text()
         self.assertLess(len(text.encode()), 1_000_000)
+        whole = page("plate.json", "whole.html").read_text()  # 769 advances and the improvement
+        self.assertGreater(whole.count('{"w":'), 40)
+        self.assertLess(len(whole.encode()), 1_000_000)
         outside = re.findall(r"""(?:src|href|url|import|fetch)\s*[=(]\s*["']?\s*(?:https?:)?//""", text)
         self.assertEqual(outside, [])
         self.assertNotIn("http", re.sub(r'<script type="application/json".*?</script>', "", text, flags=re.S))
@@ -123,19 +126,72 @@ class Playing(unittest.TestCase):
         self.assertEqual(self.window.evaluate("location.hash"), "#12")
         self.assertEqual(self.window.complaints, [])
 
+    def moments(self):
+        return self.window.evaluate("JSON.parse(document.getElementById('run').textContent).improved.moments")
+
+    def test_the_improvement_goes_on_after_the_front(self):
+        """Steps, captions and meshes are those of pictures of the same moments."""
+        self.window.open(self.path, f"#{len(self.trace)}")
+        moments = self.moments()
+        for number in range(1, moments + 1):
+            self.window.key("ArrowRight")
+            shown = "improved" if number == moments else f"step {number} / {moments}"
+            self.assertEqual(self.shown(), shown)
+            done = subprocess.run([PROGRAM, "film", DRAWINGS / "ring.json", "-o", f"{FOLDER.name}/step.svg", "--at",
+                                   str(len(self.trace) + number)], check=True, capture_output=True)
+            self.assertEqual(done.stderr, b"")
+            picture = (pathlib.Path(FOLDER.name) / "step.svg").read_text()
+            self.assertEqual(self.figure(2), picture.count("Z\n"))
+            if number < moments:
+                said = self.window.text("#caption")
+                self.assertTrue(said.startswith(f"Improvement {number} of {moments}: "), said)
+                words = " ".join(re.findall(r">([^<]+)</text>", picture))
+                self.assertIn(words[:60].replace("&lt;", "<"), said)
+        self.assertEqual(self.window.evaluate("location.hash"), f"#{len(self.trace)}.improved")
+        self.window.open(self.path, f"#{len(self.trace)}.i2")
+        self.assertEqual(self.shown(), f"step 2 / {moments}")
+        self.window.click("#play")
+        self.window.evaluate("new Promise((done) => setTimeout(done, 700))")
+        self.window.click("#play")
+        self.assertNotEqual(self.shown(), f"step 2 / {moments}")
+        self.assertEqual(self.window.complaints, [])
+
+    def test_the_last_step_of_the_improvement_is_the_improved_mesh(self):
+        self.window.open(self.path)
+        worst = self.window.evaluate(
+            "(() => { const run = JSON.parse(document.getElementById('run').textContent), m = run.improved;"
+            " const after = improvementOf(m, run.nodes, run.advances.flatMap((a) => a.elements));"
+            " const centres = ({ nodes, elements }) => { const list = []; for (let e = 0; e < elements.length; e += 3) {"
+            "  list.push([0, 1].map((k) => [0, 1, 2].reduce((s, i) => s + nodes[2 * elements[e + i] + k] / 3, 0))); }"
+            "  return list; };"
+            " const given = centres(after(m.steps.length)), wanted = centres(m);"
+            " if (given.length !== wanted.length) { return 1e9; }"
+            " return Math.max(...wanted.map((p) => Math.min(...given.map((q) => Math.hypot(p[0] - q[0], p[1] - q[1]))))); })()")
+        self.assertLess(worst, 1e-3)
+
     def test_end_buttons_and_timeline(self):
         self.window.open(self.path)
         self.window.click("#end")
         self.assertEqual(self.shown(), "improved")
         self.assertEqual(self.figure(1), 0)
         alpha = float(self.window.text("#figures tr:last-child td:last-child"))
+        moments = self.moments()
+        self.assertGreater(moments, 3)
+        for number in range(moments - 1, 0, -1):
+            self.window.click("#back")
+            self.assertEqual(self.shown(), f"step {number} / {moments}")
         self.window.click("#back")
+        self.assertEqual(self.shown(), f"{len(self.trace)} / {len(self.trace)}")
         self.assertEqual(self.figure(1), 0)
         self.assertLess(float(self.window.text("#figures tr:last-child td:last-child")), alpha)
         x, y, width, height = self.window.evaluate(
             "(() => { const r = document.getElementById('plot').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()")
-        self.window.drag((x + 6, y + height / 2), (x + width / 2, y + height / 2))
-        self.check_advance(round(len(self.trace) / 2))
+        at = x + 6 + (width - 12) * 40 / (len(self.trace) + moments)
+        self.window.drag((x + 6, y + height / 2), (at, y + height / 2))
+        self.check_advance(40)
+        at = x + 6 + (width - 12) * (len(self.trace) + 3) / (len(self.trace) + moments)
+        self.window.drag((x + 6, y + height / 2), (at, y + height / 2))
+        self.assertEqual(self.shown(), f"step 3 / {moments}")
         self.window.click("#start")
         self.window.click("#play")
         self.window.evaluate("new Promise((done) => setTimeout(done, 900))")
@@ -202,7 +258,8 @@ class Playing(unittest.TestCase):
         for name, path, place, size, keys in (
                 ("page-ring", self.path, "#12.5", (1280, 800), ""), ("page-ring-dark", self.path, "#69.9", (1280, 800), "t"),
                 ("page-plate", plate, "#300", (1280, 800), ""), ("page-plate-cells-dark", plate, "#300", (1280, 800), "tg"),
-                ("page-plate-end", plate, "#769.improved", (1440, 900), "t"), ("page-phone", self.path, "#40", (390, 780), "")):
+                ("page-plate-end", plate, "#769.improved", (1440, 900), "t"), ("page-plate-improvement", plate, "#769.i3", (1280, 800), ""),
+                ("page-phone", self.path, "#40", (390, 780), "")):
             window = browser.Browser(*size)
             window.open(path, place)
             for key in keys:

@@ -7,11 +7,13 @@
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/picture_spacing.hpp"
 #include "ui/dialogs/recovery.hpp"
+#include "ui/lessons/lesson_player.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -20,6 +22,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront::test {
 
@@ -329,13 +332,25 @@ std::vector<Shot> scenes() {
                  driver.click("lessons/1-front");
              }},
             {"tabs", openTabs},
-            {"saveanswers", [](Driver &driver) {
+            {"saveanswers",
+             [](Driver &driver) {
                  driver.key(key::k0, kAlt);
                  driver.settle();
                  driver.type("34");
                  driver.key(key::kEnter);
                  driver.settle();
                  driver.context().actions.run("lesson.saveAnswers", driver.context());
+             }},
+            {"answers", [](Driver &driver) { // of a lesson with random numbers, when others are chosen
+                 const std::vector<LessonEntry> list = driver.context().lessons.list;
+                 const auto grid = std::find_if(list.begin(), list.end(),
+                                                [](const LessonEntry &entry) { return entry.id == "10-dynamic-grid"; });
+                 REQUIRE(grid != list.end());
+                 openLesson(driver.context(), *grid);
+                 driver.settle();
+                 driver.key(key::k0 + 2, kAlt);
+                 driver.settle();
+                 driver.click("lesson/numbers");
              }}};
 }
 

@@ -30,6 +30,22 @@ TEST_CASE("Column: a section that a command has opened is whole before others gr
     CHECK(heights[0] == doctest::Approx(700.0 - 400.0 - 2.0 * 38.0));
 }
 
+TEST_CASE("Column: where those that come first are to be whole, others fold for them, but not what the user opened") {
+    shell::SectionMeasures measures = kMeasures;
+    measures.wholeFirst = true;
+    std::vector<shell::Section> sections{{.first = true, .content = 520.0F},
+                                         {.keepsOpen = false, .content = 300.0F},
+                                         {.keepsOpen = true, .content = 50.0F},
+                                         {.keepsOpen = false, .content = 300.0F}};
+    const std::vector<float> heights = shell::sectionHeights(sections, measures, 760.0F);
+    CHECK(heights[0] == 520.0F);
+    CHECK_FALSE(sections[3].open);
+    CHECK_FALSE(sections[1].open);
+    CHECK(heights[2] == 50.0F);
+    std::vector<shell::Section> roomy{{.first = true, .content = 520.0F}, {.keepsOpen = false, .content = 300.0F}};
+    CHECK(shell::sectionHeights(roomy, measures, 760.0F)[1] > 100.0F); // there is room for both
+}
+
 TEST_CASE("Column: without room, the lower sections fold, except those that were opened") {
     std::vector<shell::Section> sections(4, {.keepsOpen = false, .content = 300.0F});
     sections[3].keepsOpen = true;

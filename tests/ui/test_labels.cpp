@@ -164,6 +164,37 @@ TEST_CASE("Labels: those of sources and regions cover neither marks nor the line
     }
 }
 
+TEST_CASE("Labels: those of an advance search the front once, and not again until it or the zoom changes") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {4, 3});
+    Document drawing = driver.document();
+    drawing.spacing.size = 0.3;
+    driver.context().document.apply(std::move(drawing), "Size");
+    driver.workspace(WorkspaceKind::Step);
+    driver.context().run.seek(12);
+    driver.settle();
+    REQUIRE(driver.run().explanation);
+    REQUIRE_FALSE(driver.run().frontDone());
+    driver.context().view.fit(boxAround(driver.run().explanation->a, 0.7)); // close enough for labels
+    driver.settle();
+    const Canvas &canvas = driver.editor().canvas();
+    const auto labelled = [&canvas](const std::string &name) {
+        return std::any_of(canvas.labels().begin(), canvas.labels().end(),
+                           [&name](const CanvasPainter::Placed &label) { return label.text.starts_with(name); });
+    };
+    REQUIRE(labelled("A"));
+    REQUIRE(labelled("B"));
+    REQUIRE(labelled("C"));
+    const std::size_t before = canvas.frontWalks();
+    driver.frames(5);
+    CHECK(canvas.frontWalks() == before);
+    driver.context().run.seek(13);
+    driver.until([&] { return driver.run().advance == 13; });
+    driver.frames(1);
+    CHECK(canvas.frontWalks() <= before + 2); // the labels of one frame share a search
+    CHECK(canvas.frontWalks() > before);
+}
+
 TEST_CASE("Labels: the radius of a selected hole is written clear of its handles") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace forefront::test {
 
@@ -28,6 +29,20 @@ TEST_CASE("Legend: ticks of a logarithmic scale are in order, between the ends")
             CHECK(ticks[i].at > ticks[i - 1].at);
         }
     }
+}
+
+TEST_CASE("Legend: contour lines have round values, but none at the ends of the range, where a field is limited") {
+    const auto has = [](const std::vector<double> &values, double value) {
+        return std::any_of(values.begin(), values.end(),
+                           [value](double each) { return std::abs(each - value) < 1e-9 * value; });
+    };
+    const std::vector<double> limited = contourValues(0.3, 2.0, 8); // as in lesson 6
+    CHECK(has(roundValues(0.3, 2.0, 8), 2.0));
+    CHECK_FALSE(has(limited, 2.0));
+    CHECK(has(limited, 0.5));
+    CHECK(has(limited, 1.0));
+    CHECK(contourValues(0.5, 5.0, 8) == std::vector<double>{1.0, 2.0});
+    CHECK(has(contourValues(0.9, 2.05, 8), 2.0)); // clear of the end
 }
 
 TEST_CASE("Legend: labels do not overlap, and the ends are always labelled") {

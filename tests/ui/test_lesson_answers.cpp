@@ -1,12 +1,17 @@
+#include "core/teaching/lesson/lesson_run.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/tab_commands.hpp"
+#include "ui/lessons/lesson_list.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/workspace/judging.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <utility>
 
 namespace forefront::test {
 
@@ -206,7 +211,7 @@ TEST_CASE("Lessons: a wrong answer has a hint of its own, and answers are saved 
     reader.click("lesson/save");
     reader.settle();
     REQUIRE(reader.has("dialog/saveanswers"));
-    const LessonAnswers &given = reader.context().lessons.answers.at("10-dynamic-grid");
+    const LessonAnswers &given = reader.context().lessons.answers.at("10-dynamic-grid").given;
     REQUIRE(given.pages.size() == 6);
     CHECK(given.seed == 1);
     REQUIRE(given.pages[0].answers.size() == 2);
@@ -217,7 +222,7 @@ TEST_CASE("Lessons: a wrong answer has a hint of its own, and answers are saved 
     CHECK(given.pages[3].question.find("after 232 advances") != std::string::npos);
 }
 
-TEST_CASE("Lessons: other numbers are drawn for another seed, and answers are forgotten") {
+TEST_CASE("Lessons: other numbers are drawn for another seed, and answers are forgotten after a question") {
     Reader reader;
     reader.click("lessons/10-dynamic-grid");
     reader.settle();
@@ -228,6 +233,14 @@ TEST_CASE("Lessons: other numbers are drawn for another seed, and answers are fo
     REQUIRE(reader.has("lesson/right"));
     reader.click("lesson/numbers");
     reader.settle();
+    reader.click("dialog/answers/cancel");
+    reader.settle();
+    CHECK(reader.context().lessons.open->entry.lesson->seed == 1);
+    CHECK(reader.has("lesson/save"));
+    reader.click("lesson/numbers");
+    reader.settle();
+    reader.click("dialog/answers/forget");
+    reader.settle();
     CHECK(reader.context().lessons.open->page == 3);
     CHECK(reader.context().lessons.open->entry.lesson->seed == 2);
     CHECK(reader.context().settings.lessons["10-dynamic-grid"].seed == 2);
@@ -235,6 +248,125 @@ TEST_CASE("Lessons: other numbers are drawn for another seed, and answers are fo
     CHECK_FALSE(reader.has("lesson/right"));
     CHECK_FALSE(reader.has("lesson/save"));
     CHECK(reader.context().settings.lessons["10-dynamic-grid"].answered.empty());
+    reader.click("lesson/numbers"); // no answers, no question
+    reader.settle();
+    CHECK(reader.context().lessons.open->entry.lesson->seed == 3);
+}
+
+TEST_CASE("Lessons: what is done with another drawing or other options is no answer, which the page says at once") {
+    Reader reader;
+    reader.open(1, 3); // until 10 elements are made
+    CHECK_FALSE(reader.has("lesson/changed"));
+    Document changed = *reader.context().document.current();
+    changed.options.rules.radius = 2.5;
+    reader.context().document.apply(std::move(changed), "Rules");
+    reader.settle();
+    CHECK_FALSE(reader.has("lesson/changed")); // the run is still that of the page
+    reader.context().run.mesh();
+    reader.settle();
+    CHECK(reader.has("lesson/changed"));
+    reader.context().run.seek(10);
+    reader.settle();
+    REQUIRE(reader.run().work.elements == 10);
+    CHECK_FALSE(reader.has("lesson/right"));
+    CHECK_FALSE(reader.has("lesson/save")); // nothing was recorded
+    reader.context().document.undo();
+    reader.settle();
+    CHECK(reader.has("lesson/changed")); // the run is not undone
+    reader.click("lesson/bringback");
+    reader.settle();
+    CHECK_FALSE(reader.has("lesson/changed"));
+    reader.context().run.seek(10);
+    reader.settle();
+    CHECK(reader.has("lesson/right"));
+    const LearnerAnswers &answers = reader.context().lessons.answers.at("1-front");
+    REQUIRE(answers.given.pages[2].answers.size() == 1);
+    LessonRuns runs;
+    const std::string text = answersText(answers.given);
+    SourceText source;
+    source.text = text;
+    const Result<AnswerScore> score = checkAnswers(answers.given, source, *answers.lesson.lesson, runs, {});
+    REQUIRE(score.ok());
+    CHECK(score->answered == 1);
+}
+
+TEST_CASE("Lessons: a candidate of another run is no wrong answer") {
+    Reader reader;
+    reader.open(3, 4); // asks for the winner
+    Document changed = *reader.context().document.current();
+    changed.spacing.size = 1.1 * changed.spacing.size.value_or(0.5);
+    reader.context().document.apply(std::move(changed), "Size");
+    reader.context().run.mesh();
+    reader.settle();
+    reader.context().run.seek(3);
+    reader.settle();
+    reader.click("candidates/0");
+    reader.settle();
+    CHECK(reader.has("lesson/changed"));
+    CHECK_FALSE(reader.has("lesson/wrong"));
+    CHECK_FALSE(reader.has("lesson/right"));
+    CHECK_FALSE(reader.has("lesson/save"));
+}
+
+TEST_CASE("Lessons: opening the file of a lesson again keeps the answers, or asks if the file has changed") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "mine.json";
+    const auto write = [&](const std::string &text) {
+        std::ofstream(file)
+            << R"({"format": "forefront-lesson", "version": 1, "title": "Mine", "pages": [
+            {"title": "A", "text": ")"
+            << text << R"(", "question": {"text": "q", "choices": [{"text": "a", "right": true}, {"text": "b"}]}}]})";
+    };
+    write("first");
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {4, 3});
+    const auto open = [&] {
+        const Diagnostics faults = openLessonFile(driver.context(), file);
+        CHECK(faults.empty());
+        driver.settle();
+    };
+    open();
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    REQUIRE(driver.context().lessons.open);
+    const std::string id = driver.context().lessons.open->entry.id;
+    const auto answers = [&] {
+        const auto known = driver.context().lessons.answers.find(id);
+        return known == driver.context().lessons.answers.end() ? 0 : known->second.given.pages[0].answers.size();
+    };
+    driver.click("lesson/choice/0");
+    driver.settle();
+    REQUIRE(answers() == 1);
+    open(); // unchanged
+    CHECK_FALSE(driver.has("dialog/answers/cancel"));
+    if (driver.has("dialog/unsaved/discard")) {
+        driver.click("dialog/unsaved/discard");
+        driver.settle();
+    }
+    CHECK(answers() == 1);
+    write("second");
+    open();
+    REQUIRE(driver.has("dialog/answers/cancel"));
+    CHECK(answers() == 1);
+    driver.click("dialog/answers/cancel");
+    driver.settle();
+    CHECK(answers() == 1);
+    CHECK(driver.context().lessons.open->entry.lesson->pages[0].paragraphs[0] == "first");
+    open();
+    driver.click("dialog/answers/forget");
+    driver.settle();
+    if (driver.has("dialog/unsaved/cancel")) { // about the drawing of one's own, which the lesson would replace
+        driver.click("dialog/unsaved/cancel");
+        driver.settle();
+        CHECK(answers() == 1); // nothing is forgotten until the lesson opens
+        open();
+        driver.click("dialog/answers/forget");
+        driver.settle();
+        driver.click("dialog/unsaved/discard");
+        driver.settle();
+    }
+    CHECK(answers() == 0);
+    CHECK(driver.context().lessons.open->entry.lesson->pages[0].paragraphs[0] == "second");
 }
 
 TEST_CASE("Lessons: a lesson goes on in its own tab, and the drawing that it replaced comes back there") {

@@ -10,6 +10,7 @@
 #include <string>
 #include <sys/stat.h>
 #include <utility>
+#include <vector>
 
 namespace forefront::test {
 
@@ -124,6 +125,33 @@ TEST_CASE("Open: unsaved changes are asked about before the choice of a file, or
     driver.click("dialog/unsaved/discard");
     driver.settle();
     CHECK(driver.document().shapes.front()->kind() == ShapeKind::Polygon);
+}
+
+TEST_CASE("Open mesh: the dialogs for meshes offer recent files that are meshes, and begin where the last one was") {
+    PlateReader driver;
+    const std::filesystem::path drawing = driver.folder() / "ell.json", other = driver.folder() / "bay.msh";
+    std::filesystem::copy_file(driver.folder() / "plate.msh", other);
+    driver.context().settings.recentFiles = {drawing.string(), other.string()};
+    driver.open();
+    driver.settle();
+    CHECK(driver.context().settings.recentMeshes == std::vector<std::string>{(driver.folder() / "plate.msh").string()});
+    driver.context().actions.run("file.compareMesh", driver.context());
+    driver.settle();
+    REQUIRE(driver.has("dialog/comparemesh/recent/1"));
+    CHECK_FALSE(driver.has("dialog/comparemesh/recent/2")); // the drawing
+    driver.click("dialog/comparemesh/recent/0");
+    driver.settle();
+    driver.click("dialog/comparemesh/ok");
+    driver.settle();
+    REQUIRE(driver.context().sides.mesh() != nullptr);
+    CHECK(driver.context().sides.mesh()->name() == "plate.msh");
+    driver.context().actions.run("file.open", driver.context());
+    driver.settle();
+    if (driver.has("dialog/unsaved/discard")) {
+        driver.click("dialog/unsaved/discard");
+        driver.settle();
+    }
+    CHECK(driver.has("dialog/open/recent/1"));
 }
 
 TEST_CASE("Open mesh: a file that cannot be read is reported in the dialog, which stays open until one can") {

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -112,6 +113,16 @@ TEST_CASE("Side by side: another mesh of the domain is shown beside ours, with t
     for (const char *figure : {"nodes", "elements", "alphaMean", "alphaMin", "minAngle", "maxAngle", "delta", "time"}) {
         CHECK(driver.has(std::string("sides/") + figure + "/0"));
         CHECK(driver.has(std::string("sides/") + figure + "/1"));
+    }
+    // Everything is in view: the choices in one row, and both rows of the table.
+    const auto rectOf = [&driver](const char *name) { return driver.context().widgets.find(name)->rect; };
+    CHECK(std::abs(rectOf("sides/other").centre().y - rectOf("sides/arrangement/Overlaid").centre().y) < 3.0);
+    CHECK(rectOf("sides/other").x >=
+          rectOf("sides/arrangement/Overlaid").x + rectOf("sides/arrangement/Overlaid").width);
+    const WidgetRegistry::Widget *const last = driver.context().widgets.find("sides/nodes/1");
+    CHECK(last->visible);
+    if (last->clip) {
+        CHECK(last->rect.y + last->rect.height <= last->clip->y + last->clip->height);
     }
     const auto figures = figuresOf(*sides.mesh()->judgement());
     REQUIRE(figures);

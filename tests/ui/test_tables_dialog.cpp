@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 namespace forefront::test {
 
@@ -60,6 +61,26 @@ TEST_CASE("Lo's tables: the dialog has the figures of the batch command, beside 
     reader.context().actions.run("learn.tables", reader.context());
     reader.settle();
     CHECK(reader.dialog().rows().size() == 1); // stays
+}
+
+TEST_CASE("Lo's tables: a row that is run again with other grids keeps those of before") {
+    tables_dialog_test::TablesReader reader;
+    reader.click("dialog/tables/grid/60x40");
+    reader.click("dialog/tables/run"); // hierarchical alone
+    reader.settle();
+    REQUIRE(reader.dialog().rows().size() == 1);
+    REQUIRE(reader.dialog().rows().front().grids.size() == 1);
+    reader.click("dialog/tables/grid/60x40");
+    reader.click("dialog/tables/grid/hierarchical");
+    reader.click("dialog/tables/run");
+    reader.settle();
+    REQUIRE(reader.dialog().rows().size() == 1);
+    const std::vector<GridFigures> &grids = reader.dialog().rows().front().grids;
+    REQUIRE(grids.size() == 2);
+    CHECK(grids[0].grid == "60x40");
+    CHECK(grids[1].grid == "hierarchical");
+    CHECK(reader.has("dialog/tables/line/1A/60x40/ours"));
+    CHECK(reader.has("dialog/tables/line/1A/hierarchical/ours"));
 }
 
 TEST_CASE("Lo's tables: a run can be cancelled") {

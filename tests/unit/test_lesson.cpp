@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -253,6 +255,51 @@ TEST_CASE("Lesson: hints belong to wrong choices and to numbers that learners co
     CHECK(faultsOf(question(R"("until": {"value": "front", "is": 3}, "mistakes": [])")).front().code == "bad-question");
 }
 
+TEST_CASE("Lesson: a mean is answered as people round it, and so are the mistakes that are means") {
+    const auto asked = [](const std::string &members) {
+        const auto lesson = readLesson(sourceOf(question(members)), {});
+        REQUIRE_MESSAGE(lesson.ok(), messages(lesson.faults()));
+        return *lesson->pages[0].question;
+    };
+    LessonRun run;
+    run.snapshot.work = {.elements = 3, .delivered = 100}; // Nc = 33.333...
+    const LessonQuestion front =
+        asked(R"("number": "front", "hint": "h", "mistakes": [{"is": "Nc", "hint": "returned"}])");
+    for (const double near : {33.3, 33.33, 33.333}) {
+        CHECK(hintAfter(front, near, run.state()) == "returned");
+    }
+    for (const double far : {33.0, 33.2, 33.4, 35.0}) {
+        CHECK(hintAfter(front, far, run.state()) == "h");
+    }
+    const LessonQuestion mean = asked(R"("number": "Nc", "mistakes": [{"is": "front", "hint": "front"}])");
+    const auto &number = std::get<LessonNumber>(mean.answer);
+    CHECK(isRight(number, 33.3, run.state()));
+    CHECK(isRight(number, 33.33, run.state()));
+    CHECK_FALSE(isRight(number, 33.4, run.state()));
+    CHECK_FALSE(isRight(number, 33.0, run.state()));
+    CHECK(hintAfter(mean, 34.0, run.state()) == "front");
+    CHECK(hintAfter(mean, 33.9, run.state()).empty());                        // a whole number is not rounded
+    const LessonQuestion exact = asked(R"("number": "Nc", "within": 0.001)"); // as the lesson says
+    CHECK_FALSE(isRight(std::get<LessonNumber>(exact.answer), 33.3, run.state()));
+    CHECK(isRight(std::get<LessonNumber>(exact.answer), 33.333, run.state()));
+    CHECK(roundingOf(0.0) < 1e-8);
+    CHECK(roundingOf(-0.9351) == doctest::Approx(0.0005));
+    CHECK(roundingOf(1234.5) == doctest::Approx(5.0));
+}
+
+TEST_CASE("Lesson: only a choice among fixed texts does not depend on the run") {
+    const auto asks = [](const std::string &members) {
+        const auto lesson = readLesson(sourceOf(question(members)), {});
+        REQUIRE_MESSAGE(lesson.ok(), messages(lesson.faults()));
+        return asksAboutRun(*lesson->pages[0].question);
+    };
+    CHECK_FALSE(asks(R"("choices": [{"text": "a", "right": true}, {"text": "b"}])"));
+    CHECK(asks(R"("choices": [{"text": "{front}", "right": true}, {"text": "b"}])"));
+    CHECK(asks(R"("choices": [{"text": "a", "right": {"value": "front", "is": 3}}, {"text": "b"}])"));
+    CHECK(asks(R"("number": "front")"));
+    CHECK(asks(R"("until": {"value": "front", "is": 3})"));
+}
+
 TEST_CASE("Lesson: answers are read with a point or a comma") {
     CHECK(answeredNumber("12") == 12.0);
     CHECK(answeredNumber(" +0,5 ") == 0.5);
@@ -294,6 +341,60 @@ TEST_CASE("Lesson: random numbers follow from the seed, and replace their names 
     CHECK(faultsOf(page(R"(, "random": {"front": [1, 2]})")).front().code == "bad-name");
     CHECK(faultsOf(page(R"(, "random": {"n": [2, 2]})")).front().code == "bad-range");
     CHECK(faultsOf(page(R"(, "random": {"n": [2]})")).front().code == "bad-range");
-    CHECK(randomNumber(1, 0, "n", -1'000'000'000, 1'000'000'000) !=
-          randomNumber(1, 1, "n", -1'000'000'000, 1'000'000'000));
+    const RandomRange widest{0, "n", -1'000'000'000, 1'000'000'000}, later{1, "n", -1'000'000'000, 1'000'000'000};
+    CHECK(randomNumber(1, widest) != randomNumber(1, later));
+}
+
+TEST_CASE("Lesson: random numbers of negative ranges are drawn, shown and compared, but are no positions") {
+    const std::string text = page(R"(, "random": {"n": [-3, 2]}, "question": {"text": "{n}", "choices":
+        [{"text": "a", "right": {"value": "front", "above": "n"}}, {"text": "b"}]})");
+    std::set<std::string> shown;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        LessonNames names;
+        names.seed = seed;
+        const auto lesson = readLesson(sourceOf(text), names);
+        REQUIRE_MESSAGE(lesson.ok(), messages(lesson.faults()));
+        const LessonQuestion &asked = *lesson->pages[0].question;
+        const double bound = std::get<LessonChoices>(asked.answer).list[0].when[0].number;
+        CHECK(asked.text == std::to_string(static_cast<int>(bound)));
+        shown.insert(asked.text);
+        CHECK(lesson->random == std::vector<RandomRange>{{0, "n", -3, 2}});
+    }
+    CHECK(shown == std::set<std::string>{"-3", "-2", "-1", "0", "1", "2"});
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) { // whatever is drawn
+        LessonNames names;
+        names.seed = seed;
+        const Diagnostics faults =
+            faultsOf(page(R"(, "document": "a.json", "random": {"n": [-1, 40]}, "position": "n")"), names);
+        REQUIRE(faults.size() == 1);
+        CHECK(faults.front().message == "the random number 'n' can be negative, down to -1, but a position cannot");
+    }
+}
+
+TEST_CASE("Lesson: the seeds of a check draw every number of small ranges, and parts and ends of large ones") {
+    const auto drawn = [](const RandomRange &range, const SeedsToCheck &check) {
+        std::set<std::int64_t> numbers;
+        for (const std::uint64_t seed : check.seeds) {
+            numbers.insert(randomNumber(seed, range));
+        }
+        return numbers;
+    };
+    CHECK(seedsToCheck({}).seeds == std::vector<std::uint64_t>{1});
+    const RandomRange small{0, "n", -20, 43}, pair{2, "m", 0, 1}, large{1, "k", 100, 600};
+    const SeedsToCheck both = seedsToCheck({small, pair});
+    CHECK(both.all);
+    CHECK(drawn(small, both).size() == 64);
+    CHECK(drawn(pair, both).size() == 2);
+    CHECK(both.seeds.front() == 1);
+    CHECK(both.seeds.size() <= 66);
+    CHECK(std::is_sorted(both.seeds.begin(), both.seeds.end()));
+    const SeedsToCheck sample = seedsToCheck({large});
+    CHECK_FALSE(sample.all);
+    const std::set<std::int64_t> numbers = drawn(large, sample);
+    CHECK(*numbers.begin() == 100);
+    CHECK(*numbers.rbegin() == 600);
+    CHECK(numbers.size() >= 63);
+    CHECK(sample.seeds.size() <= 66);
+    const SeedsToCheck widest = seedsToCheck({{0, "n", -1'000'000'000, 1'000'000'000}});
+    CHECK(widest.seeds.size() == 64);
 }

@@ -2,11 +2,15 @@
 #include "core/teaching/lesson/lesson_check.hpp"
 #include "core/teaching/lesson/lesson_names.hpp"
 #include "core/teaching/lesson/lesson_read.hpp"
+#include "core/teaching/lesson/seed_check.hpp"
 #include "core/teaching/lesson_page/lesson_page.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <cstdint>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -114,6 +118,48 @@ TEST_CASE("Lesson check: stops when it is cancelled") {
     CHECK(faults.front().code == "cancelled");
 }
 
+TEST_CASE("Lesson check: a random number that has no answer is found, whichever it is, and each drawing is run once") {
+    using namespace checked_lessons;
+    const auto check = [](int last) {
+        LessonFile file;
+        file.text = lesson(R"(, "random": {"n": [0, )" + std::to_string(last) + R"(]}, "position": "n")" +
+                           lessonAsking(R"("number": "front")"));
+        file.path = "numbers.json";
+        LessonNames names;
+        names.document = drawing;
+        const Result<Lesson> read = readLesson(file.source(), names);
+        REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+        file.lesson = *read;
+        LessonRuns runs(LessonRuns::Keep::All);
+        const SeedCheck outcome = checkSeeds(file, names, runs, {});
+        CHECK(runs.made() == 1);
+        return outcome;
+    };
+    LessonNames names;
+    names.document = drawing;
+    const std::string plain = lesson("");
+    LessonRuns runs;
+    const auto run = runs.of(readLesson(sourceOf(plain), names)->pages[0], {});
+    REQUIRE(run);
+    const int length = static_cast<int>((*run)->advances() + (*run)->improveSteps());
+    REQUIRE(length > 40);
+    const SeedCheck whole = check(length);
+    CHECK(whole.faults.empty());
+    CHECK(whole.seeds > 20);
+    const SeedCheck beyond = check(length + 1); // one number of many is no position of the run
+    REQUIRE(beyond.faults.size() == 1);
+    CHECK(beyond.faults.front().code == "lesson-position");
+    CHECK(beyond.faults.front().message.find("(with the random numbers of --seed ") != std::string::npos);
+    std::stop_source stop;
+    stop.request_stop();
+    LessonFile file;
+    file.text = plain;
+    file.lesson = *readLesson(file.source(), names);
+    Progress progress;
+    progress.stop = stop.get_token();
+    CHECK(checkSeeds(file, names, runs, progress).faults.front().code == "cancelled");
+}
+
 TEST_CASE("Lesson page: the runs of the check are used again, and what only the editor shows is said") {
     using namespace checked_lessons;
     LessonNames names;
@@ -127,7 +173,7 @@ TEST_CASE("Lesson page: the runs of the check are used again, and what only the 
     CHECK(checkLesson(*read, source, runs, {}).empty());
     StringSink sink;
     TextWriter out(sink);
-    const Status warnings = writeLessonPage(*read, runs, out, {});
+    const Status warnings = writeLessonPage(*read, runs, out, {}, 300); // of steps of the improvement: one
     out.flush();
     CHECK(runs.made() == 1);
     REQUIRE(warnings.size() == 1);
@@ -136,6 +182,16 @@ TEST_CASE("Lesson page: the runs of the check are used again, and what only the 
     CHECK(warnings.front().line == 3);
     CHECK(sink.text.find("This task needs a moment that the editor shows") != std::string::npos);
     CHECK(sink.text.find("\"note\":\"This page is about step ") != std::string::npos);
+    StringSink whole;
+    TextWriter all(whole);
+    CHECK(writeLessonPage(*read, runs, all, {}).empty()); // with all steps
+    all.flush();
+    CHECK(whole.text.find("note\":") == std::string::npos);
+    const std::uint64_t advances = (*runs.of(read->pages[0], {}))->advances();
+    REQUIRE(advances < 46);
+    const std::string front = '[' + std::to_string(advances) + ",0,";
+    CHECK(whole.text.find("\"done\":[" + front + "2,-1,") != std::string::npos);
+    CHECK(whole.text.find("\"at\":" + front + std::to_string(46 - advances) + ']') != std::string::npos);
 }
 
 TEST_CASE("Lesson check: names of layers, panels and widgets are known without a window") {
@@ -147,6 +203,30 @@ TEST_CASE("Lesson check: names of layers, panels and widgets are known without a
     const Result<Lesson> read = readLesson(sourceOf(text), names);
     REQUIRE_FALSE(read.ok());
     CHECK(read.faults().front().code == "unknown-name");
+}
+
+TEST_CASE("Lesson page: has the mistakes of a question with the differences that the editor allows") {
+    using namespace checked_lessons;
+    LessonNames names;
+    names.document = drawing;
+    const std::string text = lesson(R"(, "position": 20)" + lessonAsking(R"("number": "front", "hint": "h",
+        "mistakes": [{"is": "Nb", "hint": "That is the mean."}, {"is": 4, "hint": "Four."}])"));
+    const Result<Lesson> read = readLesson(sourceOf(text), names);
+    REQUIRE(read.ok());
+    LessonRuns runs(LessonRuns::Keep::All);
+    const auto run = runs.of(read->pages[0], {});
+    REQUIRE(run);
+    const std::shared_ptr<const SessionSnapshot> shown = (*run)->at({.advance = 20});
+    const double mean = valueOf(LessonValue::FrontMean, {*shown}).value();
+    REQUIRE(mean != std::round(mean));
+    StringSink sink, expected;
+    TextWriter out(sink), number(expected);
+    REQUIRE(writeLessonPage(*read, runs, out, {}).empty());
+    out.flush();
+    number << "\"mistakes\":[[" << mean << ',' << roundingOf(mean) << ",\"That is the mean.\"],[4," << roundingOf(4.0)
+           << ",\"Four.\"]]";
+    number.flush();
+    CHECK(sink.text.find(expected.text) != std::string::npos);
 }
 
 TEST_CASE("Lesson page: has the values, the right answers and the moments of its tasks") {

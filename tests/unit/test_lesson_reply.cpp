@@ -6,7 +6,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <stop_token>
 #include <string>
+#include <string_view>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -39,13 +43,13 @@ Lesson lesson() {
     return *read;
 }
 
-Result<AnswerScore> scoreOf(const LessonAnswers &given) {
+Result<AnswerScore> scoreOf(const LessonAnswers &given, const Progress &progress = {}) {
     const std::string text = answersText(given);
     const SourceText source = sourceOf(text);
     const Result<LessonAnswers> read = readAnswers(source);
     REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
     LessonRuns runs;
-    return checkAnswers(*read, source, lesson(), runs, {});
+    return checkAnswers(*read, source, lesson(), runs, progress);
 }
 
 LessonAnswers answers() {
@@ -102,4 +106,48 @@ TEST_CASE("Answers: a file that claims what is not so is refused with its place"
     CHECK(readAnswers(sourceOf(other)).faults().front().code == "not-answers");
     const std::string broken = "{\"format\": \"forefront-answers\", \"version\": 1, \"lesson\": \"T\", \"pages\": [3]}";
     CHECK_FALSE(readAnswers(sourceOf(broken)).ok());
+}
+
+TEST_CASE("Answers: the check reports each answer, stops within a page, and has a limit") {
+    using namespace lesson_reply;
+    LessonAnswers given = answers();
+    given.pages[0].answers.assign(1000, {"15", false});
+    std::vector<double> fractions;
+    Progress progress;
+    progress.report = [&](std::string_view stage, double fraction) {
+        if (stage == "checking answers") {
+            fractions.push_back(fraction);
+        }
+    };
+    const Result<AnswerScore> score = scoreOf(given, progress);
+    REQUIRE_MESSAGE(score.ok(), messages(score.faults()));
+    CHECK(fractions.size() == 1003);
+    CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+    CHECK(fractions.front() == 0.0);
+    CHECK(fractions.back() < 1.0);
+    std::stop_source stop;
+    progress.stop = stop.get_token();
+    std::size_t reports = 0;
+    progress.report = [&](std::string_view stage, double) {
+        reports += stage == "checking answers" ? 1U : 0U;
+        if (reports == 7) {
+            stop.request_stop();
+        }
+    };
+    CHECK(scoreOf(given, progress).faults().front().code == "cancelled");
+    CHECK(reports == 7);
+    given.pages[0].answers.push_back({"15", false});
+    const Result<AnswerScore> large = scoreOf(given);
+    REQUIRE_FALSE(large.ok());
+    CHECK(large.faults().front().code == "too-large");
+}
+
+TEST_CASE("Answers: many answers to a task at a few moments of a run are checked once for each moment") {
+    using namespace lesson_reply;
+    LessonAnswers given = answers();
+    given.pages[2].answers.assign(999, {"advance 9", false});
+    given.pages[2].answers.push_back({"advance 3", true});
+    const Result<AnswerScore> score = scoreOf(given);
+    REQUIRE_MESSAGE(score.ok(), messages(score.faults()));
+    CHECK(score->lines[2].starts_with("C: right at try 1000 ("));
 }

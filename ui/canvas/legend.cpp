@@ -143,6 +143,13 @@ std::vector<double> roundValues(double minimum, double maximum, std::size_t limi
     return values;
 }
 
+std::vector<double> contourValues(double minimum, double maximum, std::size_t limit) {
+    constexpr double kApart = 1.01; // from the ends, more than a raster of single precision is off
+    std::vector<double> values = roundValues(minimum, maximum, limit);
+    std::erase_if(values, [&](double value) { return value < kApart * minimum || kApart * value > maximum; });
+    return values;
+}
+
 std::vector<LegendTick> logarithmicTicks(double minimum, double maximum, std::size_t limit) {
     if (!(minimum > 0.0) || !(maximum > minimum)) {
         return {{0.5, ui::number(minimum, 3)}};

@@ -65,6 +65,10 @@ std::vector<LegendTick> linearTicks(const ColourRange &range);
 /// Returns the round numbers 1, 2, 5 · 10ⁿ in a range, or fewer (1 and 3 · 10ⁿ, 10ⁿ alone, or every second power and so
 /// on) if there are more than `limit`.
 std::vector<double> roundValues(double minimum, double maximum, std::size_t limit);
+/// Returns the values of contour lines of a field that ranges from `minimum` to `maximum` > 0: round ones, at most
+/// `limit`. A field that is limited to its range has areas at the ends of it, along whose rims a contour line would be
+/// a staircase, so values at the ends have none.
+std::vector<double> contourValues(double minimum, double maximum, std::size_t limit);
 
 /// Returns the ticks of a logarithmic scale: the ends, and at most `limit` round numbers (1, 2, 5 · 10ⁿ) in between.
 std::vector<LegendTick> logarithmicTicks(double minimum, double maximum, std::size_t limit);

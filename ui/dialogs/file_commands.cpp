@@ -464,10 +464,11 @@ void importSpacing(Shell &context) {
     request.id = "importspacing";
     request.title = "Import spacing";
     request.action = "Import";
-    request.filters = {{"Projects, meshes, grids and pictures",
-                        allFormats().allExtensions([](const FileFormat &format) { return format.readsSpacing; }),
-                        "spacing"},
-                       {"All files", {}, "any"}};
+    request.filters = {
+        {"Projects, meshes, grids and pictures",
+         allFormats().allExtensions([](const FileFormat &format) { return format.readsSpacing || format.readsMesh; }),
+         "spacing"},
+        {"All files", {}, "any"}};
     request.folder = startFolder(context);
     request.reads = [](Shell &c, const std::filesystem::path &file) {
         const FileFormat *const format = allFormats().detect(file);

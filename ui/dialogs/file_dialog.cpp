@@ -81,6 +81,16 @@ void FileDialog::suggest(std::string name) {
     fault_.clear();
 }
 
+std::vector<std::string> FileDialog::recentFiles(const Shell &context) const {
+    std::vector<std::string> files = request_.recent;
+    for (const std::string &file : context.settings.recentFiles) {
+        if (passes(request_.filters.front(), file) && std::find(files.begin(), files.end(), file) == files.end()) {
+            files.push_back(file);
+        }
+    }
+    return files;
+}
+
 void FileDialog::drawPlaces(Shell &context) {
     const auto place = [&](const char *name, const char *icon, const std::string &label,
                            const std::filesystem::path &at) {
@@ -103,13 +113,14 @@ void FileDialog::drawPlaces(Shell &context) {
         place("place/document", icon::kFile, "Drawing folder", document.parent_path());
     }
     place("place/root", icon::kComputer, "Computer", "/");
-    if (context.settings.recentFiles.empty() || request_.saves) {
+    const std::vector<std::string> recent = recentFiles(context);
+    if (recent.empty() || request_.saves) {
         return;
     }
     ImGui::Dummy({0, context.px(6)});
     ui::heading(context, "Recent");
-    for (std::size_t k = 0; k < std::min<std::size_t>(5, context.settings.recentFiles.size()); ++k) {
-        const std::filesystem::path file = context.settings.recentFiles[k];
+    for (std::size_t k = 0; k < std::min<std::size_t>(5, recent.size()); ++k) {
+        const std::filesystem::path file = recent[k];
         ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, ImVec2(0.0F, 0.5F));
         if (ui::button(context, widget("recent/") + std::to_string(k), file.filename().string(), ui::ButtonKind::Quiet,
                        true, 126.0F)) {

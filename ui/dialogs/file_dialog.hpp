@@ -42,7 +42,9 @@ struct FileRequest {
     /// working folder.
     std::filesystem::path folder;
     bool fixedFolder = false; ///< always begin in `folder`
-    std::string name;         ///< suggested name
+    /// Recent files that are offered before those of the settings that the first filter accepts; the last one first.
+    std::vector<std::string> recent = {};
+    std::string name; ///< suggested name
     /// Returns the files that a choice writes, for those that need more than the chosen one; may be empty.
     std::function<std::vector<std::filesystem::path>(const std::filesystem::path &, const FileFilter &)> writes = {};
     /// Called with the chosen file. The dialog closes if it returns no faults; otherwise it stays open and shows the
@@ -87,6 +89,8 @@ class FileDialog : public Dialog {
     void enter(const std::filesystem::path &folder);
     /// Enters the folder in which a dialog for the same purpose was used last.
     void recallFolder(const Shell &context);
+    /// Returns the recent files that can be chosen.
+    std::vector<std::string> recentFiles(const Shell &context) const;
     void drawPlaces(Shell &context);
     void drawPath(Shell &context);
     /// Returns true if a file was double-clicked.

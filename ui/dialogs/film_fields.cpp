@@ -37,11 +37,14 @@ Box2 canvasBox(const View &view) {
 }
 
 void layers(Workspace &context, const std::string &prefix, FilmLayers &layers) {
-    constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{"Mesh", "Boundary", "Front", "Candidates",
-                                                                            "Grid", "Caption",  "Labels"};
+    constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{
+        "Mesh", "Boundary", "Front", "Candidates", "Grid", "Caption", "Labels", "Improvement"};
+    constexpr auto kSecondRow = static_cast<std::size_t>(FilmLayer::Improvement); // there is no room in the first
     ui::rowLabel(context, "Show", kFields);
     for (std::size_t k = 0; k < kLabels.size(); ++k) {
-        if (k > 0) {
+        if (k == kSecondRow) {
+            ui::rowLabel(context, "", kFields);
+        } else if (k > 0) {
             ImGui::SameLine(0, context.px(14));
         }
         ui::checkbox(context, prefix + "layer/" + std::string(wordsOf<FilmLayer>()[k]), kLabels[k], layers.shown[k]);

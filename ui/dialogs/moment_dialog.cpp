@@ -33,12 +33,13 @@ FilmLayers layersOnCanvas(Shell &context) {
         return slot != nullptr && slot->visible;
     };
     FilmLayers layers;
-    const std::array<std::pair<FilmLayer, const char *>, 6> kSame{{{FilmLayer::Mesh, "mesh"},
+    const std::array<std::pair<FilmLayer, const char *>, 7> kSame{{{FilmLayer::Mesh, "mesh"},
                                                                    {FilmLayer::Boundary, "boundary"},
                                                                    {FilmLayer::Front, "front"},
                                                                    {FilmLayer::Candidates, "candidates"},
                                                                    {FilmLayer::Labels, "candidates"},
-                                                                   {FilmLayer::Grid, "grid"}}};
+                                                                   {FilmLayer::Grid, "grid"},
+                                                                   {FilmLayer::Improvement, "improvement"}}};
     for (const auto &[layer, name] : kSame) {
         layers.shown[static_cast<std::size_t>(layer)] = shown(name);
     }
@@ -54,9 +55,9 @@ Diagnostics writeMoment(Shell &context, const MomentSettings &settings, const st
     const auto write = [moment, sheet, layers = settings.layers, file](const Progress &) {
         return writeFileAtomically(file, pictureOf(file, sceneOf(*moment, sheet, layers)));
     };
-    const auto done = [file, advance = moment->advance](Shell &c) {
-        c.log.announce("Exported advance " + std::to_string(advance) + " to " + file.string());
-    };
+    const std::string what = moment->improvement ? "step " + std::to_string(moment->improveStep) + " of the improvement"
+                                                 : "advance " + std::to_string(moment->advance);
+    const auto done = [file, what](Shell &c) { c.log.announce("Exported " + what + " to " + file.string()); };
     context.dialogs.open(std::make_unique<WriteDialog>(context.background, file.string(), write, done));
     return {};
 }
@@ -87,7 +88,7 @@ void exportMoment(Shell &context) {
         return;
     }
     FileRequest request = film_fields::exportRequest(context, "moment", "Export picture of the moment",
-                                                     "-" + std::to_string(context.run.now().advance) + ".svg");
+                                                     "-" + std::to_string(context.run.now().position()) + ".svg");
     request.filters = {
         {"SVG drawing (.svg)", {".svg"}, "svg", "A vector drawing; its labels stay text."},
         {"PDF page (.pdf)", {".pdf"}, "pdf", "A vector drawing on a page of its size; labels stay text."},
@@ -98,7 +99,7 @@ void exportMoment(Shell &context) {
     request.chosen = [settings](Shell &c, const std::filesystem::path &file, const FileFilter &) {
         return writeMoment(c, *settings, file);
     };
-    request.extraLines = 2;
+    request.extraLines = 3;
     request.extra = [settings](Shell &c, const FileFilter &) {
         drawFields(c, *settings);
         return true;

@@ -50,8 +50,20 @@ struct OpenedMesh {
     Diagnostics notes; ///< of the reader and of the outline
 };
 
+/// Puts a mesh at the front of the recent ones.
+void rememberMesh(Shell &context, const std::filesystem::path &file) {
+    constexpr std::size_t kMaxMeshes = 12;
+    std::error_code ignored;
+    const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
+    std::vector<std::string> &recent = context.settings.recentMeshes;
+    std::erase(recent, name);
+    recent.insert(recent.begin(), name);
+    recent.resize(std::min(recent.size(), kMaxMeshes));
+}
+
 void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path &file) {
     rememberView(context);
+    rememberMesh(context, file);
     context.document.load(*opened.outline, {}, false, file.filename().string());
     context.selection.clear();
     context.examiner.abandon();
@@ -93,7 +105,9 @@ void askForMesh(Shell &context, std::string id, std::string title, std::string a
     request.title = std::move(title);
     request.action = std::move(action);
     request.filters = openFilters("All meshes", {}, [](const FileFormat &format) { return format.readsMesh; });
-    request.folder = startFolder(context);
+    request.recent = context.settings.recentMeshes;
+    request.folder =
+        request.recent.empty() ? startFolder(context) : std::filesystem::path(request.recent.front()).parent_path();
     request.reads = [read](Shell &c, const std::filesystem::path &file) {
         auto outcome = std::make_shared<FileOutcome>();
         read(c, file, outcome);
@@ -153,6 +167,7 @@ void compare(Shell &context, const std::filesystem::path &file, const Outcome &o
             return BackgroundTask::Finish([&context, file, other, found = notes.diagnostics()] {
                 const std::string name = file.filename().string();
                 context.sides.compareWith(name, std::move(*other));
+                rememberMesh(context, file);
                 context.log.add(found);
                 const Box2 ours = context.run.now().mesh ? context.run.now().mesh->mesh.bounds() : Box2();
                 if (!ours.empty() && !ours.overlaps(context.sides.mesh()->mesh().bounds())) {

@@ -167,9 +167,16 @@ void TablesDialog::takeNews(Shell &context) {
     }
     const State &now = worker_.now();
     if (now.rows) {
-        for (const RowFigures &row : *now.rows) {
-            std::erase_if(*rows_, [&row](const RowFigures &known) { return known.row.row == row.row.row; });
-            rows_->push_back(row);
+        for (const RowFigures &done : *now.rows) {
+            const auto known = std::find_if(rows_->begin(), rows_->end(),
+                                            [&done](const RowFigures &row) { return row.row.row == done.row.row; });
+            RowFigures row = done;
+            if (known != rows_->end()) {
+                addEarlierGrids(row, *known);
+                *known = std::move(row);
+            } else {
+                rows_->push_back(std::move(row));
+            }
         }
         std::sort(rows_->begin(), rows_->end(),
                   [](const RowFigures &a, const RowFigures &b) { return a.row.row < b.row.row; });

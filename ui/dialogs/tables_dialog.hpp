@@ -13,7 +13,8 @@
 
 namespace forefront {
 
-/// The rows of Lo's tables that were run since the program started, in the order of the tables; each once.
+/// The rows of Lo's tables that were run since the program started, in the order of the tables; each once, with all the
+/// grids that it was run with.
 using TableRows = std::vector<RowFigures>;
 
 /// Runs the rows of S. H. Lo's tables on a separate thread and shows our figures beside his, and the time against the

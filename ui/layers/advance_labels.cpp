@@ -2,6 +2,7 @@
 
 #include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/canvas/near_front.hpp"
 #include "ui/parts/layer.hpp"
 
 #include <glm/geometric.hpp>
@@ -26,13 +27,12 @@ struct AdvanceMarks {
     std::vector<Pixel> points;
 };
 
-constexpr double kMarkReach = 160.0; // of marks around the point, design pixels; more than a label is away from it
+constexpr double kMarkReach = 160.0; // of marks around a point, design pixels; more than a label is away from it
 
-/// Collects the marks in a square around a point.
+/// Collects the marks in a box.
 class MarkCollector {
   public:
-    MarkCollector(const LayerFrame &frame, Vec2 at)
-        : camera_(frame.camera), box_(boxAround(at, frame.camera.length(kMarkReach * frame.scale))) {}
+    MarkCollector(const Camera &camera, const Box2 &box) : camera_(camera), box_(box) {}
 
     void line(Vec2 a, Vec2 b) {
         Box2 box;
@@ -55,13 +55,20 @@ class MarkCollector {
     AdvanceMarks marks_;
 };
 
-/// Returns the marks around a point: the front, what the advance has made, and its candidates with the lines to them.
-AdvanceMarks marksAround(const LayerFrame &frame, const Moment &moment, Vec2 at) {
+/// Returns the marks around A, B and C: the front, what the advance has made, and its candidates with the lines to
+/// them.
+AdvanceMarks marksAround(const LayerFrame &frame, const Moment &moment) {
     const AdvanceExplanation &e = *moment.advance;
-    MarkCollector marks(frame, at);
+    Box2 box;
+    for (const Vec2 point : {e.a, e.b, e.ideal}) {
+        const Box2 around = boxAround(point, frame.camera.length(kMarkReach * frame.scale));
+        box.add(around.min);
+        box.add(around.max);
+    }
+    MarkCollector marks(frame.camera, box);
     if (frame.snapshot.front && frame.visible("front")) {
-        for (const FrontSegmentView &segment : *frame.snapshot.front) {
-            marks.line(segment.a, segment.b);
+        for (const auto &[a, b] : frame.nearFront.within(frame.snapshot.front, box)) {
+            marks.line(a, b);
         }
     }
     marks.line(e.a, e.b);
@@ -100,7 +107,7 @@ double covered(const AdvanceMarks &marks, const PixelRect &rect, double rim) {
 void labelOfAdvance(CanvasPainter &painter, const LayerFrame &frame, const Moment &moment, Vec2 at, Vec2 away,
                     const std::string &text) {
     ImFont *const font = frame.fonts.small;
-    const AdvanceMarks marks = marksAround(frame, moment, at);
+    const AdvanceMarks marks = marksAround(frame, moment);
     const Pixel place = painter.camera().toPixel(at);
     const PixelRect atPlace = painter.labelRect(at, {}, text, font);
     const Pixel half = 0.5 / frame.scale * Pixel(atPlace.width, atPlace.height);

@@ -12,11 +12,6 @@ namespace forefront {
 
 namespace {
 
-/// Returns the spacings of the contour lines.
-std::vector<double> contourValues(double minimum, double maximum) {
-    return roundValues(minimum, maximum, FieldTint::kMaxLevels);
-}
-
 class SpacingLayer final : public Layer {
   public:
     const char *id() const override { return "size"; }
@@ -85,7 +80,8 @@ class SpacingLayer final : public Layer {
             maximum_ *= 2.0;
         }
         levels_.clear();
-        for (const double value : uniform_ ? std::vector<double>() : contourValues(minimum_, maximum_)) {
+        for (const double value :
+             uniform_ ? std::vector<double>() : contourValues(minimum_, maximum_, FieldTint::kMaxLevels)) {
             levels_.push_back(static_cast<float>(std::log(value)));
         }
         return true;

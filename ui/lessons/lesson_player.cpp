@@ -1,13 +1,11 @@
 #include "ui/lessons/lesson_player.hpp"
 
-#include "core/teaching/lesson/lesson_file.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/tab_commands.hpp"
-#include "ui/lessons/highlight_names.hpp"
 #include "ui/lessons/lesson_answers.hpp"
+#include "ui/lessons/lesson_list.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/parts/shown_panels.hpp"
-#include "ui/platform/assets.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/view/chosen_candidate.hpp"
 
@@ -102,7 +100,7 @@ void afterLeaving(Shell &context, std::function<void(Shell &)> then) {
 void showDocumentOf(Shell &context, OpenLesson &open) {
     const std::shared_ptr<const Document> document = documentOf(open.now());
     const bool untouched = open.document == open.now().document && open.revision == context.document.revision() &&
-                           document->options == context.document.current()->options;
+                           document->options == context.document.current()->options && showsOwnRun(context);
     if (!untouched) {
         if (!open.document) { // the first drawing of the lesson
             keepDrawing(context);
@@ -116,6 +114,7 @@ void showDocumentOf(Shell &context, OpenLesson &open) {
     }
     open.document = open.now().document;
     open.revision = context.document.revision();
+    open.runRevision = context.run.meshRevision();
 }
 
 void showLayers(Shell &context, const std::vector<std::string> &visible) {
@@ -199,48 +198,23 @@ bool lessonIsElsewhere(const Shell &context) {
     return tabOfLesson(context).value_or(context.tabs.active()) != context.tabs.active();
 }
 
-namespace {
-
-/// Returns the seed of the random numbers of a lesson.
-std::uint64_t seedOf(const Shell &context, const std::string &id) {
-    const auto progress = context.settings.lessons.find(id);
-    return progress == context.settings.lessons.end() ? LessonProgress().seed : progress->second.seed;
+bool showsOwnRun(const Shell &context) {
+    const OpenLesson &open = *context.lessons.open;
+    return !open.now().document ||
+           (context.run.shownRevision() == open.runRevision && !context.run.showsFile() && !context.run.preview());
 }
 
-} // namespace
-
-Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file, std::uint64_t seed) {
-    LessonNames names;
-    names.seed = seed;
-    for (const LayerSlot &slot : context.layers) {
-        names.layers.emplace_back(slot.layer->id());
-    }
-    for (const auto &panel : context.panels) {
-        names.panels.emplace_back(panel->id());
-    }
-    names.widgets = highlightNames(context);
-    Result<LessonFile> read = readLessonFile(file, std::move(names));
-    return read ? Result<Lesson>(std::move(read->lesson)) : Result<Lesson>(read.faults());
-}
-
-void listLessons(Shell &context) {
-    if (std::exchange(context.lessons.listed, true)) {
-        return;
-    }
-    for (const std::filesystem::path &file : lessonFiles()) {
-        Result<Lesson> lesson = loadLesson(context, file, seedOf(context, file.stem().string()));
-        if (!lesson) {
-            context.log.add(lesson.faults());
-            continue;
-        }
-        context.lessons.list.push_back(
-            {file.stem().string(), file, std::make_shared<const Lesson>(std::move(*lesson))});
-    }
+void bringBackDrawing(Shell &context) {
+    goToPage(context, context.lessons.open->page);
 }
 
 void openLesson(Shell &context, const LessonEntry &entry) {
     afterLeaving(context, [entry](Shell &c) {
         closeLesson(c);
+        const auto answers = c.lessons.answers.find(entry.id);
+        if (answers != c.lessons.answers.end() && !sameLesson(answers->second.lesson, entry)) {
+            c.lessons.answers.erase(answers);
+        }
         c.lessons.drawingLoaded = showsLessonDrawing(c) ? c.lessons.drawingLoaded : 0; // another tab may have that
         c.tools.choose("select", c);
         OpenLesson open{.entry = entry};
@@ -259,27 +233,6 @@ void openLesson(Shell &context, const LessonEntry &entry) {
         c.lessons.visible = true;
         showPage(c);
     });
-}
-
-Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file) {
-    listLessons(context);
-    std::error_code ignored;
-    const std::filesystem::path path = std::filesystem::weakly_canonical(file, ignored);
-    std::vector<LessonEntry> &list = context.lessons.list;
-    const auto own = std::find_if(list.begin(), list.end(), [&](const LessonEntry &known) {
-        return std::filesystem::equivalent(known.file, file, ignored);
-    });
-    const std::string id = own != list.end() ? own->id : path.string();
-    Result<Lesson> lesson = loadLesson(context, file, seedOf(context, id));
-    if (!lesson) {
-        return lesson.faults();
-    }
-    const LessonEntry entry{id, file, std::make_shared<const Lesson>(std::move(*lesson))};
-    context.lessons.answers.erase(id); // they may belong to an earlier version of the file
-    std::erase_if(list, [&](const LessonEntry &known) { return known.id == entry.id; });
-    list.push_back(entry);
-    openLesson(context, entry);
-    return {};
 }
 
 void closeLesson(Shell &context) {
@@ -349,7 +302,7 @@ void answerChoice(Shell &context, std::size_t choice) {
     OpenLesson &open = *context.lessons.open;
     const auto &question = open.now().question;
     const auto *choices = question ? std::get_if<LessonChoices>(&question->answer) : nullptr;
-    if (choices == nullptr || choice >= choices->list.size() || !open.settled) {
+    if (choices == nullptr || choice >= choices->list.size() || !open.arrived) {
         return;
     }
     open.picked = choice;
@@ -367,7 +320,7 @@ void answerNumber(Shell &context) {
     OpenLesson &open = *context.lessons.open;
     const auto &question = open.now().question;
     const auto *number = question ? std::get_if<LessonNumber>(&question->answer) : nullptr;
-    if (number == nullptr || open.typed.empty() || !open.settled) {
+    if (number == nullptr || open.typed.empty() || !open.arrived) {
         return;
     }
     const std::optional<double> typed = answeredNumber(open.typed);
@@ -401,14 +354,15 @@ void followLesson(Shell &context) {
     open.settled = open.settled || (!context.run.busy() && !context.run.hasNews());
     const std::shared_ptr<const SessionSnapshot> &now = context.run.snapshot();
     // A later snapshot of the same moment may hold more: the improved mesh, or candidates that were not copied before.
-    if (open.arrived ? showSameMoment(*open.arrived, *now) : open.settled) {
+    const bool own = showsOwnRun(context);
+    if (open.arrived ? showSameMoment(*open.arrived, *now) : open.settled && own) {
         open.arrived = now;
     }
     if (open.done && showSameMoment(*open.done, *now)) {
         open.done = now;
     }
     const LessonTask *const task = taskOf(open);
-    if (task == nullptr || !open.settled || open.reply == OpenLesson::Reply::Right) {
+    if (task == nullptr || !open.settled || !own || open.reply == OpenLesson::Reply::Right) {
         return;
     }
     const LessonState state = lessonState(context);

@@ -1,28 +1,20 @@
 #pragma once
 
-#include "core/teaching/lesson/lesson_read.hpp"
+#include "core/teaching/lesson/lesson.hpp"
 #include "ui/workspace/view/lesson_room.hpp"
 
 #include <cstddef>
-#include <filesystem>
 
 namespace forefront {
 
 struct Shell;
 
-// Lessons: their list, the page shown, and the answers. Faults of lesson files go to the log.
-
-/// Reads a lesson with its documents, which lie in its folder. Layers and panels must exist. `seed`: of its random
-/// numbers.
-Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file, std::uint64_t seed);
-/// Reads the lessons that come with the program into the list, unless this was done before.
-void listLessons(Shell &context);
+// The lesson that is read: the page shown, and the answers.
 
 /// Opens a lesson at the page where it was left, after asking about unsaved changes to a drawing of the user. The
-/// drawing of a lesson is replaced without asking, unless it was saved as a file.
+/// drawing of a lesson is replaced without asking, unless it was saved as a file. Answers to an earlier version of the
+/// lesson are forgotten.
 void openLesson(Shell &context, const LessonEntry &entry);
-/// Opens the lesson of a file, and adds it to the list.
-Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file);
 /// Returns to the list of lessons. Layers, panels, tab and colours are as before the lesson; the drawing stays.
 void closeLesson(Shell &context);
 /// Returns to the list of lessons after the last page. The lesson begins at its first page again.
@@ -32,6 +24,11 @@ void goToPage(Shell &context, std::size_t page);
 
 /// Returns true while the drawing of the open lesson is in a tab that is not shown.
 bool lessonIsElsewhere(const Shell &context);
+
+/// Returns true if the run shown is of the drawing and with the options that the page has, which its question is about.
+bool showsOwnRun(const Shell &context);
+/// Shows the page anew, with its own drawing and options.
+void bringBackDrawing(Shell &context);
 
 /// Returns the state of the run as it is now, which tasks are about.
 LessonState lessonState(const Shell &context);

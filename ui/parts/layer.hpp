@@ -21,6 +21,7 @@ namespace forefront {
 
 class CanvasPainter;
 class GlKit;
+class NearFront;
 struct Document;
 struct DrawSlice;
 struct Judgement;
@@ -57,6 +58,7 @@ struct LayerFrame {
     bool pictureFailed;                          ///< the document has a picture that cannot be read
     const std::vector<LayerSlot> &layers;
     GlKit &gl;                  ///< shared shaders and buffers
+    NearFront &nearFront;       ///< of the explained advance, shared by its labels
     DrawSlice *slice = nullptr; ///< the part of a large mesh that drawStill() draws; null: all
 
     bool visible(std::string_view id) const;

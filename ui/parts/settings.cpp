@@ -235,6 +235,7 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     readMaps(json, settings);
     readWorkspaces(json, settings);
     settings.recentFiles = textsIn(json, "recentFiles", 12);
+    settings.recentMeshes = textsIn(json, "recentMeshes", 12);
     settings.reopens = boolIn(json, "reopens", settings.reopens);
     settings.lastFile = textIn(json, "lastFile");
     settings.openFiles = textsIn(json, "openFiles", 100);
@@ -314,6 +315,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
         json.key("answered").values(progress.answered).endObject();
     }
     json.endObject().key("recentFiles").values(settings.recentFiles);
+    json.key("recentMeshes").values(settings.recentMeshes);
     json.key("openFiles").values(settings.openFiles);
     if (settings.window) {
         const WindowPlace &place = *settings.window;

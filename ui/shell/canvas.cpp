@@ -7,6 +7,7 @@
 #include "ui/canvas/glide.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/canvas/mesh_glide.hpp"
+#include "ui/canvas/near_front.hpp"
 #include "ui/gl/draw_pace.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/mesh_batch.hpp"
@@ -86,6 +87,7 @@ struct Canvas::Parts {
     std::vector<DrawPace> paces;          ///< of the layers, then of the compared mesh
     std::shared_ptr<const Domain> domain; ///< of the document of this frame
 
+    NearFront nearFront;
     Glide glide;
     const AdvanceExplanation *stepped = nullptr; ///< whose elements were shown last, if any
     double steppedAt = -1e300, fresh = 0.0;      ///< see LayerFrame::fresh
@@ -123,6 +125,10 @@ std::uint64_t Canvas::stillDraws() const {
 
 std::size_t Canvas::meshBytes() const {
     return parts_->gl.elements().bytes() + parts_->comparedBatch.bytes();
+}
+
+std::size_t Canvas::frontWalks() const {
+    return parts_->nearFront.walks();
 }
 
 const std::vector<CanvasPainter::Placed> &Canvas::labels() const {
@@ -224,7 +230,8 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .picture = context.pictures.shown(),
             .pictureFailed = context.pictures.failed(),
             .layers = context.layers,
-            .gl = gl};
+            .gl = gl,
+            .nearFront = nearFront};
 }
 
 /// Draws the still parts again if they or the camera have changed. A large mesh is drawn over several frames; while the

@@ -28,6 +28,8 @@ class Canvas {
     std::uint64_t stillDraws() const;
     /// Returns the bytes that the meshes drawn take up here and in buffers of OpenGL; for tests.
     std::size_t meshBytes() const;
+    /// Returns how often the segments of the front around an advance were searched for; for tests.
+    std::size_t frontWalks() const;
     /// Returns the labels of the last frame; for tests.
     const std::vector<CanvasPainter::Placed> &labels() const;
     /// Returns true while the picture of a new large mesh is incomplete; a further mesh would restart it.

@@ -237,7 +237,8 @@ void drawSections(Shell &context) {
     followSelection(context);
     const std::vector<Panel *> panels = columnPanels(context);
     std::vector<Section> sections = sectionsOf(context, panels);
-    const SectionMeasures measures{context.px(kSectionHeading), context.px(kSectionGap), context.px(kLowestSection)};
+    const SectionMeasures measures{context.px(kSectionHeading), context.px(kSectionGap), context.px(kLowestSection),
+                                   context.lessons.open.has_value()}; // whose pages speak of what they call
     const std::vector<float> heights = sectionHeights(sections, measures, ImGui::GetContentRegionAvail().y);
     float y = 0.0F;
     for (std::size_t k = 0; k < panels.size(); ++k) {

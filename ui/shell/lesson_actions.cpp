@@ -3,6 +3,7 @@
 #include "ui/dialogs/glossary_dialog.hpp"
 #include "ui/dialogs/tables_dialog.hpp"
 #include "ui/lessons/lesson_answers.hpp"
+#include "ui/lessons/lesson_list.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/shell/main_window.hpp"
 

@@ -1,5 +1,6 @@
 #include "core/teaching/lesson/glossary.hpp"
 #include "ui/lessons/lesson_answers.hpp"
+#include "ui/lessons/lesson_list.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/lessons/page_check.hpp"
 #include "ui/shell/main_window.hpp"
@@ -133,6 +134,24 @@ void drawNumber(Shell &context, OpenLesson &open) {
     }
 }
 
+/// Says that the run shown is not that of the page, if so. Returns true if the page is shown anew.
+bool drawOtherRun(Shell &context, const OpenLesson &open) {
+    if (showsOwnRun(context) || lessonIsElsewhere(context) || !open.settled || open.reply == Reply::Right ||
+        !asksAboutRun(*open.now().question)) {
+        return false;
+    }
+    const bool task = std::holds_alternative<LessonTask>(open.now().question->answer);
+    ui::wrappedText(std::string("This is not the mesh of the page: the drawing or its options have changed. The ") +
+                    (task ? "task is about the page's own, so nothing you do here answers it."
+                          : "question is about the page's own."));
+    ui::mark(context, "lesson/changed");
+    const bool back = ui::link(context, "lesson/bringback", "Bring back the drawing of the page");
+    if (back) {
+        bringBackDrawing(context);
+    }
+    return back;
+}
+
 void drawQuestion(Shell &context, OpenLesson &open) {
     const LessonQuestion &question = *open.now().question;
     ImGui::Dummy({0, context.px(2)});
@@ -143,6 +162,9 @@ void drawQuestion(Shell &context, OpenLesson &open) {
         drawChoices(context, open, *choices);
     } else if (std::holds_alternative<LessonNumber>(question.answer)) {
         drawNumber(context, open);
+    }
+    if (drawOtherRun(context, open)) {
+        return;
     }
     drawReply(context, open, question);
     if (question.show && open.reply != Reply::Right && ui::link(context, "lesson/show", "Show me (Alt H)")) {
@@ -163,7 +185,7 @@ void drawAnswerLinks(Shell &context, const OpenLesson &open) {
         chooseOtherNumbers(context);
         return;
     }
-    ui::tooltip(context, "The numbers of this lesson are drawn at random. Choose others; your answers are forgotten.");
+    ui::tooltip(context, "The numbers of this lesson are drawn at random. Choose others, which have other answers.");
     ImGui::SameLine();
     ui::small(context, "seed " + std::to_string(seed));
 }

@@ -20,6 +20,15 @@ float spareOf(const std::vector<Section> &sections, const SectionMeasures &measu
     return height;
 }
 
+/// Returns how much more than their least heights the sections that come first need to be whole.
+float neededByFirst(const std::vector<Section> &sections, const SectionMeasures &measures) {
+    float needed = 0.0F;
+    for (const Section &section : sections) {
+        needed += section.open && section.first ? std::max(0.0F, section.content - leastOf(section, measures)) : 0.0F;
+    }
+    return needed;
+}
+
 /// Raises contents together until they are whole or the spare height is used up.
 void growTogether(const std::vector<Section> &sections, std::vector<std::size_t> &growing, std::vector<float> &heights,
                   float &spare) {
@@ -38,7 +47,8 @@ void growTogether(const std::vector<Section> &sections, std::vector<std::size_t>
 
 std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionMeasures &measures, float height) {
     float spare = spareOf(sections, measures, height);
-    for (auto section = sections.rbegin(); spare < 0.0F && section != sections.rend(); ++section) {
+    const float needed = measures.wholeFirst ? neededByFirst(sections, measures) : 0.0F;
+    for (auto section = sections.rbegin(); spare < needed && section != sections.rend(); ++section) {
         if (section->open && !section->keepsOpen) {
             section->open = false;
             spare = spareOf(sections, measures, height);

@@ -16,9 +16,11 @@ struct Section {
 struct SectionMeasures {
     float heading = 0.0F, gap = 0.0F; ///< of each section; the gap follows an open one
     float lowest = 0.0F;              ///< an open section shows at least this much of its content
+    bool wholeFirst = false;          ///< others fold where those that come first could not be whole
 };
 
-/// Folds the lower sections for which a column of this height has no room, except those that stay open, and divides
+/// Folds the lower sections for which a column of this height has no room, except those that stay open or, with
+/// `wholeFirst`, come first, and divides
 /// the height among the open ones: those that come first and low ones get what they need, the others share the rest.
 /// Returns the heights of their contents, 0 for folded ones. If the lowest heights do not fit, the sum exceeds the
 /// height.

@@ -1,6 +1,7 @@
 #include "ui/shell/start_page.hpp"
 
 #include "ui/dialogs/file_commands.hpp"
+#include "ui/lessons/lesson_list.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/popup_style.hpp"
@@ -81,7 +82,7 @@ void drawLessonLinks(Shell &context) {
     for (std::size_t k = 0; k < context.lessons.list.size(); ++k) {
         const LessonEntry &entry = context.lessons.list[k];
         if (k % 2 == 1) {
-            ImGui::SameLine(context.px(kPageWidth / 2));
+            ImGui::SameLine(0.5F * ImGui::GetContentRegionMax().x);
         }
         if (ui::link(context, "start/lesson/" + entry.id, std::to_string(k + 1) + "  " + entry.lesson->title)) {
             chosen = &entry;

@@ -269,8 +269,8 @@ bool segmented(WidgetContext &context, std::string_view name, std::span<const ch
         list.AddText({corner.x + (each - size.x) / 2, corner.y + (height - size.y) / 2},
                      here ? context.theme.text : context.theme.muted, labels[i]);
     }
-    ImGui::SetCursorScreenPos({at.x, at.y + height});
-    ImGui::Dummy({whole, 0.0F});
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy({whole, height}); // so that SameLine() goes on beside it
     return changed;
 }
 

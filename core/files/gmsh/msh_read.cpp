@@ -1,4 +1,5 @@
 #include "core/engine/mesh/triangulated.hpp"
+#include "core/files/common/element_sizes.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/gmsh/gmsh.hpp"
@@ -313,8 +314,11 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
         return file.faults();
     }
     TextScanner &scanner = file.scanner();
+    if (file.values().empty()) {
+        return elementSizes(file.takeMesh(), source);
+    }
     TriMesh mesh = takeTriangulated(file.takeMesh()).mesh;
-    if (file.values().empty() || mesh.elements.empty()) {
+    if (mesh.elements.empty()) {
         scanner.fail(0, "no-values", "the file holds no elements with nodal values ($NodeData) to use as spacing");
         return scanner.faults();
     }

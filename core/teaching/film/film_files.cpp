@@ -1,5 +1,6 @@
 #include "core/teaching/film/film_files.hpp"
 
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "core/files/text/file_set.hpp"
@@ -18,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -37,10 +39,14 @@ class Filming {
         if (!stepper_.finish(quiet())) {
             return cancelled();
         }
-        const std::uint64_t end = stepper_.known();
+        front_ = stepper_.known();
+        const std::uint64_t steps = stepper_.snapshot({.mesh = false, .front = false})->improveSteps;
+        const std::uint64_t end = front_ + steps;
         if (plan_.from > end) {
-            return error("bad-range", "the film begins after advance " + std::to_string(plan_.from) +
-                                          ", but the run has only " + std::to_string(end) + " advances");
+            return error("bad-range",
+                         "the film begins after advance " + std::to_string(plan_.from) + ", but the run has only " +
+                             countText(front_, "advance") +
+                             (steps > 0 ? " and " + countText(steps, "step") + " of the improvement" : std::string()));
         }
         from_ = plan_.from;
         last_ = std::min(end, plan_.steps ? from_ + std::min(*plan_.steps, end) : end);
@@ -54,7 +60,7 @@ class Filming {
                : plan_.numbered()    ? writeSequence()
                                      : writeMoment();
     }
-    WrittenFilm written() const { return {written_, from_, last_, labelled_}; }
+    WrittenFilm written() const { return {written_, from_, last_, front_, labelled_}; }
 
     static Status cancelled() { return error("cancelled", "the film was cancelled"); }
 
@@ -65,12 +71,10 @@ class Filming {
     /// Calls write(scene, number) for each frame, numbered from 1, until it fails.
     template <class Write>
     Status forFrames(Write write) {
-        const std::uint64_t steps = plan_.events ? countEvents() : last_ - from_;
-        const auto frames = static_cast<int>(std::min(steps + 1, static_cast<std::uint64_t>(plan_.frames)));
+        const FramePlaces places = placesOf(plan_.events ? countEvents() : last_ - from_);
+        const auto frames = static_cast<int>(places.size());
         for (int k = 0; k < frames; ++k) {
-            const std::uint64_t at =
-                frames == 1 ? steps : steps * static_cast<std::uint64_t>(k) / static_cast<std::uint64_t>(frames - 1);
-            moveTo(at);
+            moveTo(places[static_cast<std::size_t>(k)]);
             const FilmScene scene = sceneHere(last_);
             if (progress_.cancelled()) {
                 return cancelled();
@@ -124,11 +128,35 @@ class Filming {
         written_ = 1;
         return writeFileAtomically(plan_.output, pictureOf(plan_.output, scene));
     }
-    /// Returns the number of events from the first to the last advance; 0 if it was cancelled.
+    using FramePlaces = std::vector<std::uint64_t>;
+
+    /// Returns the steps after the first frame at which frames are drawn, `count` of them at most. Those of the
+    /// improvement get at least a quarter of the frames: they are few and each of them shows much.
+    FramePlaces placesOf(std::uint64_t count) const {
+        const std::uint64_t improving = last_ - std::min(std::max(front_, from_), last_), advancing = count - improving;
+        const auto room = static_cast<std::uint64_t>(plan_.frames - 1); // without the first frame
+        const std::uint64_t share =
+            std::max<std::uint64_t>(room / 4, std::min<std::uint64_t>(room, 1)); // the end, at least
+        const std::uint64_t later = std::min(improving, std::max(share, room - std::min(room, advancing)));
+        const std::uint64_t sooner = std::min(advancing, room - later);
+        FramePlaces places{0};
+        for (std::uint64_t k = 1; k <= sooner; ++k) {
+            places.push_back(advancing * k / sooner);
+        }
+        for (std::uint64_t k = 1; k <= later; ++k) {
+            places.push_back(advancing + improving * k / later);
+        }
+        if (plan_.frames == 1) {
+            places.front() = count;
+        }
+        return places;
+    }
+    /// Returns the number of events from the first to the last advance, and of the steps of the improvement after them;
+    /// 0 if it was cancelled.
     std::uint64_t countEvents() {
         stepper_.seek(from_, quiet());
-        std::uint64_t count = 0;
-        while (stepper_.position() < last_) {
+        std::uint64_t count = last_ - std::min(std::max(front_, from_), last_);
+        while (stepper_.position() < std::min(last_, front_)) {
             if (progress_.cancelled()) {
                 return 0;
             }
@@ -183,7 +211,8 @@ class Filming {
     Box2 home_;                         ///< the part of the plane shown at first
     std::optional<Box2> followed_;      ///< the part shown last, while it follows the base
     std::uint64_t step_ = 0;            ///< events since the first advance, in a film that steps by events
-    std::uint64_t from_ = 0, last_ = 0; ///< the first and last advance of the film
+    std::uint64_t from_ = 0, last_ = 0; ///< the first and last position of the film
+    std::uint64_t front_ = 0;           ///< advances of the run; after them, its improvement
     int written_ = 0;
     bool labelled_ = false;
     MeshStepper stepper_;
@@ -201,7 +230,7 @@ Result<WrittenFilm> writePage(const MeshingJob &job, const FilmPlan &plan, const
     if (Status status = file.commit(); !status.empty()) {
         return status;
     }
-    return WrittenFilm{0, 0, written->advances, false};
+    return WrittenFilm{0, 0, written->advances, written->advances, false};
 }
 
 } // namespace
@@ -257,6 +286,7 @@ Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progre
         if (!stepper) {
             return progress.cancelled() ? Filming::cancelled() : stepper.faults();
         }
+        stepper->stepImprovement();
         Filming filming(plan, progress, *std::move(stepper));
         if (Status status = filming.film(); !status.empty()) {
             return status;

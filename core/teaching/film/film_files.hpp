@@ -17,10 +17,12 @@ struct FilmPlan {
     /// .gif, .mp4, .webm: an animation; .html: a page that plays the run; NAME-%d.png, .svg or .pdf: numbered frames;
     /// else one moment.
     std::filesystem::path output;
-    std::string title;                  ///< of a page
-    std::uint64_t from = 0;             ///< number of advances done at the first frame
-    std::optional<std::uint64_t> steps; ///< number of advances shown; not set: to the end of the run
-    int frames = 120;                   ///< maximum number of frames; long runs skip advances
+    std::string title; ///< of a page
+    /// Position of the first frame: the number of advances done. After the last advance follow the steps of the
+    /// improvement.
+    std::uint64_t from = 0;
+    std::optional<std::uint64_t> steps; ///< number of advances, and steps, shown; not set: to the end of the run
+    int frames = 120;                   ///< maximum number of frames; long runs skip advances and steps
     int width = 800;                    ///< pixels
     double speed = 10.0;                ///< frames per second of an animation
     FilmLayers layers;
@@ -54,12 +56,14 @@ std::string outputFault(const FilmPlan &plan);
 /// The extent of a written film.
 struct WrittenFilm {
     int frames = 0;                    ///< 0: a page
-    std::uint64_t first = 0, last = 0; ///< numbers of advances done at its start and end
+    std::uint64_t first = 0, last = 0; ///< positions at its start and end; of a page: numbers of advances
+    std::uint64_t advances = 0;        ///< of the run, as far as it was made
     bool labelled = false;             ///< at least one frame has labels of an advance
 };
 
 /// Runs a job and writes its film, reporting progress by frame. The film is shorter than the plan if the run ends
-/// before. Faults: those of the job, bad-range (the run ends before the film begins, or has too many advances to be
+/// before. A film of a whole run ends with the improvement, which has at least a quarter of the frames if it has so
+/// many steps. Faults: those of the job, bad-range (the run ends before the film begins, or has too many advances to be
 /// shown by events), too-large (of a page), no-encoder (of a video), cannot-write, cancelled, out-of-memory.
 Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress = {});
 

@@ -82,6 +82,27 @@ class SceneBuilder {
         }
         line(advance.a, advance.b, Ink::Base, 3.6);
     }
+    /// Adds what a step of the improvement has changed: edges and nodes that came and went, and where nodes come from.
+    void addImprovement(const ImproveStep &step) {
+        constexpr double kVisible = 1.0; // pixels, of a move
+        for (const auto &[a, b] : step.removedEdges) {
+            line(a, b, Ink::Rejected, 1.4);
+        }
+        for (const auto &[a, b] : step.addedEdges) {
+            line(a, b, Ink::Accepted, 2.0);
+        }
+        for (const ImproveStep::Move &move : step.moves) {
+            if (scale_ * distance(move.from, move.to) >= kVisible) {
+                line(move.from, move.to, Ink::Accepted, 1.8);
+            }
+        }
+        for (const Vec2 node : step.addedNodes) {
+            line(node, node, Ink::Accepted, 8.0);
+        }
+        for (const Vec2 node : step.removedNodes) {
+            line(node, node, Ink::Rejected, 8.0);
+        }
+    }
     /// Adds C, the circle of the search and the labels.
     void addNames() {
         constexpr double kArm = 4.5; // pixels, of the cross at C
@@ -186,6 +207,19 @@ void addCaption(const std::string &text, FilmScene &scene) {
     }
 }
 
+/// Returns the caption of a moment: its step of the improvement, or its advance with what is known of it.
+std::string captionOf(const SessionSnapshot &moment, const Moment &told) {
+    if (moment.improvement) {
+        return caption(*moment.improvement, moment.improveSteps);
+    }
+    std::string text = "Advance " + std::to_string(moment.advance) + ", " + std::to_string(moment.frontSegments) +
+                       " segments on the front";
+    if (told) {
+        text += ". " + caption(*told.advance, told.cursor);
+    }
+    return text + (moment.improved ? "; the mesh is improved" : "");
+}
+
 /// Appends a text. A label also says which point it names, in the units of the drawing.
 void appendText(const FilmText &text, std::string &svg) {
     svg += "<text x=\"" + pixels(text.at.x) + "\" y=\"" + pixels(text.at.y) +
@@ -251,7 +285,7 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
     scene.height = sheet.height();
     if (last) {
         scene.progress =
-            *last == 0 ? 1.0 : std::min(1.0, static_cast<double>(moment.advance) / static_cast<double>(*last));
+            *last == 0 ? 1.0 : std::min(1.0, static_cast<double>(moment.position()) / static_cast<double>(*last));
     }
     if (sheet.cut) {
         scene.paperFrom = sheet.bandTop();
@@ -276,14 +310,11 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
     if (layers.has(FilmLayer::Labels) && explained) {
         builder.addNames();
     }
+    if (layers.has(FilmLayer::Improvement) && moment.improvement) {
+        builder.addImprovement(*moment.improvement);
+    }
     if (layers.has(FilmLayer::Caption)) {
-        std::string text = "Advance " + std::to_string(moment.advance) + ", " + std::to_string(moment.frontSegments) +
-                           " segments on the front";
-        if (explained) {
-            text += ". " + caption(*builder.told().advance, builder.told().cursor);
-        }
-        text += moment.improved ? "; the mesh is improved" : "";
-        addCaption(text, scene);
+        addCaption(captionOf(moment, builder.told()), scene);
     }
     return scene;
 }

@@ -14,17 +14,17 @@
 namespace forefront {
 
 /// A layer of a film.
-enum class FilmLayer : std::uint8_t { Mesh, Boundary, Front, Candidates, Grid, Caption, Labels };
+enum class FilmLayer : std::uint8_t { Mesh, Boundary, Front, Candidates, Grid, Caption, Labels, Improvement };
 template <>
 struct EnumWords<FilmLayer> {
-    static constexpr auto kLast = FilmLayer::Labels;
-    static constexpr std::array<std::string_view, 7> kList = {"mesh", "boundary", "front", "candidates",
-                                                              "grid", "caption",  "labels"};
+    static constexpr auto kLast = FilmLayer::Improvement;
+    static constexpr std::array<std::string_view, 8> kList = {"mesh", "boundary", "front",  "candidates",
+                                                              "grid", "caption",  "labels", "improvement"};
 };
 
 /// The layers that a film shows.
 struct FilmLayers {
-    std::array<bool, wordsOf<FilmLayer>().size()> shown{true, true, true, true, false, true, false};
+    std::array<bool, wordsOf<FilmLayer>().size()> shown{true, true, true, true, false, true, false, true};
 
     bool has(FilmLayer layer) const { return shown[static_cast<std::size_t>(layer)]; }
     /// Returns the parts of a snapshot that these layers need.
@@ -86,8 +86,9 @@ struct FilmSheet {
     int height() const;
 };
 
-/// Returns the scene of a moment of a run: within an advance, only what its events have shown so far. `last` is the
-/// number of advances of the whole run, for the progress in a film; a single picture has none.
+/// Returns the scene of a moment of a run: within an advance, only what its events have shown so far; after a step of
+/// the improvement, what it has changed. `last` is the last position of the whole run, for the progress in a film; a
+/// single picture has none.
 FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers,
                   std::optional<std::uint64_t> last = {});
 

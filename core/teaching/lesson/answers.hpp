@@ -57,9 +57,10 @@ struct AnswerScore {
     std::vector<std::string> lines{}; ///< a line for each question: its page, and what was answered
 };
 
-/// Checks answers against the lesson that they belong to, read with their seed. `source`: the file of the answers.
-/// Errors: "other-lesson", "other-answer" (not one of the choices, or not a number), "false-claim" (an answer is not
-/// what the file says of it), those of the runs, "cancelled".
+/// Checks answers against the lesson that they belong to, read with their seed, and reports its progress after each
+/// answer. `source`: the file of the answers. Errors: "other-lesson", "other-answer" (not one of the choices, or not a
+/// number), "false-claim" (an answer is not what the file says of it), "too-large" (more than 1,000 answers to a
+/// question), those of the runs, "cancelled".
 Result<AnswerScore> checkAnswers(const LessonAnswers &answers, const SourceText &source, const Lesson &lesson,
                                  LessonRuns &runs, const Progress &progress);
 

@@ -5,6 +5,7 @@
 #include "core/teaching/lesson/lesson_run.hpp"
 
 #include <charconv>
+#include <map>
 #include <string_view>
 
 namespace forefront {
@@ -12,6 +13,8 @@ namespace forefront {
 namespace {
 
 constexpr std::string_view kAdvance = "advance ", kCandidate = "candidate ";
+constexpr std::size_t kMaxTries = 1000; ///< answers to a question that are checked; a learner gives a few
+constexpr std::size_t kMaxShown = 20;   ///< of them in the report
 
 /// Returns the number after a word; nothing if the text is anything else.
 std::optional<std::uint64_t> numberAfter(std::string_view word, std::string_view text) {
@@ -39,11 +42,12 @@ bool fulfils(const LessonTask &task, const SessionSnapshot &run) {
 }
 
 /// Returns true if the run fulfils a task after that many advances, at an event of the next one, or at its end.
-bool fulfilsAt(const LessonTask &task, LessonRun &run, std::uint64_t position) {
+/// Cancelled, it returns false.
+bool fulfilsAt(const LessonTask &task, LessonRun &run, std::uint64_t position, const Progress &progress) {
     const bool mesh = asksForMesh(task);
     const auto next = [&](std::int64_t events) { return run.at({.advance = position, .events = events}, mesh); };
     std::shared_ptr<const SessionSnapshot> there = next(0);
-    for (std::int64_t events = 1; there->position() == position; ++events) {
+    for (std::int64_t events = 1; there->position() == position && !progress.cancelled(); ++events) {
         if (fulfils(task, *there)) {
             return true;
         }
@@ -61,8 +65,8 @@ class AnswerCheck {
     AnswerCheck(const SourceText &source, LessonRuns &runs, const Progress &progress)
         : source_(source), runs_(runs), progress_(progress) {}
 
-    /// Adds the page to the score, or faults.
-    void page(const LessonPage &page, const PageAnswers &given, AnswerScore &score) {
+    /// Adds the page to the score, or faults. `from`, `to`: the part of the progress that the page is.
+    void page(const LessonPage &page, const PageAnswers &given, AnswerScore &score, double from, double to) {
         SessionSnapshot none;
         std::shared_ptr<const SessionSnapshot> shown(&none, [](const SessionSnapshot *) {});
         std::shared_ptr<LessonRun> run;
@@ -75,9 +79,21 @@ class AnswerCheck {
             run = *made;
             shown = run->at(page.position);
         }
+        if (given.answers.size() > kMaxTries) {
+            add("too-large", given,
+                "the file has " + std::to_string(given.answers.size()) + " answers to the question; expected at most " +
+                    std::to_string(kMaxTries));
+            return;
+        }
+        checked_.clear();
         std::string tries;
         std::size_t count = 0, rightAt = 0;
         for (const GivenAnswer &answer : given.answers) {
+            if (progress_.cancelled()) {
+                return;
+            }
+            progress_("checking answers",
+                      from + (to - from) * static_cast<double>(count) / static_cast<double>(given.answers.size()));
             const std::optional<bool> right = isRightAnswer(*page.question, answer.text, {*shown}, run.get());
             if (!right) {
                 add("other-answer", given, "the answer " + inQuotes(answer.text) + " is none that the question has");
@@ -88,7 +104,12 @@ class AnswerCheck {
             }
             ++count;
             rightAt = rightAt == 0 && right.value_or(false) ? count : rightAt;
-            tries += (tries.empty() ? "" : "; ") + answer.text;
+            if (count <= kMaxShown) {
+                tries += (tries.empty() ? "" : "; ") + answer.text;
+            }
+        }
+        if (count > kMaxShown) {
+            tries += "; " + std::to_string(count - kMaxShown) + " more";
         }
         score.answered += rightAt > 0 ? 1U : 0U;
         score.firstTry += rightAt == 1 ? 1U : 0U;
@@ -113,8 +134,8 @@ class AnswerCheck {
 
   private:
     /// Returns whether an answer is right; nothing if it answers another kind of question.
-    static std::optional<bool> isRightAnswer(const LessonQuestion &question, const std::string &text,
-                                             const LessonState &state, LessonRun *run) {
+    std::optional<bool> isRightAnswer(const LessonQuestion &question, const std::string &text, const LessonState &state,
+                                      LessonRun *run) {
         if (const auto *choices = std::get_if<LessonChoices>(&question.answer)) {
             for (std::size_t k = 0; k < choices->list.size(); ++k) {
                 if (withValues(choices->list[k].text, state) == text) {
@@ -135,13 +156,18 @@ class AnswerCheck {
         if (!position || run == nullptr || *position > run->advances() + run->improveSteps()) {
             return std::nullopt;
         }
-        return fulfilsAt(task, *run, *position);
+        const auto [known, isNew] = checked_.try_emplace(*position, false);
+        if (isNew) {
+            known->second = fulfilsAt(task, *run, *position, progress_);
+        }
+        return known->second;
     }
 
     const SourceText &source_;
     LessonRuns &runs_;
     const Progress &progress_;
     Diagnostics faults_;
+    std::map<std::uint64_t, bool> checked_; ///< positions of the run of the page: whether they fulfil its task
 };
 
 } // namespace
@@ -165,15 +191,17 @@ Result<AnswerScore> checkAnswers(const LessonAnswers &answers, const SourceText 
     }
     AnswerCheck check(source, runs, progress);
     AnswerScore score;
+    const double pages = static_cast<double>(lesson.pages.size());
     for (std::size_t k = 0; k < lesson.pages.size(); ++k) {
-        if (progress.cancelled()) {
-            return cancelled("the check");
-        }
         if (lesson.pages[k].question) {
             ++score.questions;
-            check.page(lesson.pages[k], answers.pages[k], score);
+            const auto before = static_cast<double>(k);
+            check.page(lesson.pages[k], answers.pages[k], score, before / pages, (before + 1.0) / pages);
         } else if (!answers.pages[k].answers.empty()) {
             check.add("other-answer", answers.pages[k], "the page has no question, but the file has answers to it");
+        }
+        if (progress.cancelled()) {
+            return cancelled("the check");
         }
     }
     if (Diagnostics faults = check.take(); !faults.empty()) {

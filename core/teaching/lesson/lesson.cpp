@@ -8,6 +8,8 @@ namespace forefront {
 
 namespace {
 
+constexpr double kExact = 1e-9; ///< differences that computing a number may cause
+
 bool allHold(const std::vector<LessonCondition> &conditions, const LessonState &state) {
     return std::all_of(conditions.begin(), conditions.end(),
                        [&](const LessonCondition &condition) { return holds(condition, state); });
@@ -43,7 +45,29 @@ bool isRight(const LessonNumber &question, double number, const LessonState &sta
 
 double toleranceOf(const LessonNumber &question, const LessonState &state) {
     const double value = valueOf(question.value, state).value_or(0.0);
-    return std::max(question.within, 0.01 * question.percent * std::abs(value));
+    return std::max(question.within.value_or(question.percent > 0.0 ? kExact : roundingOf(value)),
+                    0.01 * question.percent * std::abs(value));
+}
+
+double roundingOf(double number) {
+    constexpr double kSlack = 1.0 + 1e-9; // a half may be rounded either way
+    if (std::abs(number - std::round(number)) <= kExact) {
+        return kExact;
+    }
+    const double digit = std::pow(10.0, std::floor(std::log10(std::abs(number))) - 2.0);
+    return 0.5 * kSlack * digit;
+}
+
+std::vector<KnownMistake> mistakesOf(const LessonNumber &question, const LessonState &state) {
+    std::vector<KnownMistake> known;
+    for (const LessonNumber::Mistake &mistake : question.mistakes) {
+        const auto value = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
+        if (value) {
+            const double rounding = std::max(question.within.value_or(0.0), roundingOf(*value));
+            known.push_back({*value, std::max(rounding, 0.01 * question.percent * std::abs(*value)), &mistake.hint});
+        }
+    }
+    return known;
 }
 
 std::optional<double> answeredNumber(std::string text) {
@@ -71,17 +95,23 @@ const std::string &hintAfter(const LessonQuestion &question, double number, cons
     if (asked == nullptr) {
         return question.hint;
     }
-    for (const LessonNumber::Mistake &mistake : asked->mistakes) {
-        const auto value = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
-        if (value && std::abs(*value - number) <= std::max(asked->within, 0.01 * asked->percent * std::abs(*value))) {
-            return mistake.hint;
-        }
-    }
-    return question.hint;
+    const std::vector<KnownMistake> mistakes = mistakesOf(*asked, state);
+    const auto made = std::find_if(mistakes.begin(), mistakes.end(), [number](const KnownMistake &mistake) {
+        return std::abs(mistake.number - number) <= mistake.within;
+    });
+    return made != mistakes.end() ? *made->hint : question.hint;
 }
 
 bool isDone(const LessonTask &task, const LessonState &state) {
     return allHold(task.until, state);
+}
+
+bool asksAboutRun(const LessonQuestion &question) {
+    const auto *const choices = std::get_if<LessonChoices>(&question.answer);
+    return choices == nullptr ||
+           std::any_of(choices->list.begin(), choices->list.end(), [](const LessonChoices::Choice &choice) {
+               return !choice.when.empty() || choice.text.find('{') != std::string::npos;
+           });
 }
 
 bool asksForCandidate(const LessonTask &task) {

@@ -2,6 +2,7 @@
 
 #include "core/drawing/document/document.hpp"
 #include "core/teaching/lesson/lesson_value.hpp"
+#include "core/teaching/lesson/random_numbers.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -68,8 +69,8 @@ struct LessonNumber {
     };
 
     LessonValue value = LessonValue::Advance;
-    double within = 1e-9; ///< largest difference from the value
-    double percent = 0.0; ///< or this many per cent of the value, if that is more
+    std::optional<double> within{}; ///< largest difference from the value; not set: as far as people round it
+    double percent = 0.0;           ///< or this many per cent of the value, if that is more
     std::vector<Mistake> mistakes{};
 };
 
@@ -113,7 +114,8 @@ struct Lesson {
     std::string title;
     std::string about; ///< what it teaches, in a sentence
     std::vector<LessonPage> pages;
-    std::uint64_t seed = 0; ///< of its random numbers; 0: it has none
+    std::uint64_t seed = 0;            ///< of its random numbers; 0: it has none
+    std::vector<RandomRange> random{}; ///< the ranges that it draws from
 };
 
 /// Returns the number of pages with a question.
@@ -128,6 +130,18 @@ bool isRight(const LessonChoices &choices, std::size_t index, const LessonState 
 bool isRight(const LessonNumber &question, double number, const LessonState &state);
 /// Returns the largest difference of a right answer from the value.
 double toleranceOf(const LessonNumber &question, const LessonState &state);
+/// Returns the difference from a number by which people round it: to three significant digits; a whole number not at
+/// all.
+double roundingOf(double number);
+
+/// A mistake of a question, in a state in which it has a number.
+struct KnownMistake {
+    double number = 0.0;
+    double within = 0.0; ///< largest difference of an answer that makes this mistake
+    const std::string *hint = nullptr;
+};
+/// Returns the mistakes that a question knows. An answer makes the first that it is near enough to.
+std::vector<KnownMistake> mistakesOf(const LessonNumber &question, const LessonState &state);
 /// Returns the number that an answer of a learner is, with a point or a comma; nothing if it is none.
 std::optional<double> answeredNumber(std::string text);
 /// Returns the hint after a wrong choice or number: that of the answer, or else that of the question. May be empty.
@@ -135,6 +149,8 @@ const std::string &hintAfter(const LessonQuestion &question, std::size_t choice)
 const std::string &hintAfter(const LessonQuestion &question, double number, const LessonState &state);
 /// Returns true if the task is done.
 bool isDone(const LessonTask &task, const LessonState &state);
+/// Returns true if the answer of a question depends on the run.
+bool asksAboutRun(const LessonQuestion &question);
 /// Returns true if the task is to choose a candidate.
 bool asksForCandidate(const LessonTask &task);
 /// Returns true if a condition of the task needs a snapshot with its mesh, see needsMesh().

@@ -22,6 +22,16 @@ SourceText LessonFile::source() const {
     return source;
 }
 
+Result<Lesson> LessonFile::withSeed(std::uint64_t seed, LessonNames names) const {
+    names.seed = seed;
+    names.document = nullptr;
+    Result<Lesson> other = readLesson(source(), names);
+    for (std::size_t k = 0; other && k < other->pages.size(); ++k) {
+        other->pages[k].document = lesson.pages[k].document;
+    }
+    return other;
+}
+
 Result<LessonFile> readLessonFile(const std::filesystem::path &path, LessonNames names) {
     Result<std::string> bytes = readRegularFile(path, kMaxBytes);
     if (!bytes) {

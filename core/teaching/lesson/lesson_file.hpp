@@ -16,6 +16,8 @@ struct LessonFile {
 
     /// Returns the text with its name, for the places of faults. It views this file.
     SourceText source() const;
+    /// Reads the lesson with the random numbers of another seed; its drawings are those that this file has read.
+    Result<Lesson> withSeed(std::uint64_t seed, LessonNames names) const;
 };
 
 /// Reads a lesson and its drawings, which lie in its folder or below it. `names`: without the reader of documents.

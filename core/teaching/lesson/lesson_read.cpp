@@ -46,7 +46,8 @@ class LessonReader {
             for (const JsonValue item : *pages) {
                 if (check_.expect(item, JsonKind::Object, "a page")) {
                     if (const auto random = item.find("random")) {
-                        readNumbers(*random, check_, names_.seed, lesson.pages.size(), numbers_);
+                        const auto drawn = readNumbers(*random, check_, names_.seed, lesson.pages.size(), numbers_);
+                        lesson.random.insert(lesson.random.end(), drawn.begin(), drawn.end());
                     }
                     lesson.pages.push_back(page(item, lesson.pages.empty() ? LessonPage() : lesson.pages.back()));
                 }

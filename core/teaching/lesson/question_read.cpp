@@ -24,7 +24,10 @@ double tolerance(const JsonValue &object, JsonCheck &check) {
 /// Reads the tolerance of a number: a difference, or per cent of the value as a text such as "2 %".
 void readTolerance(const JsonValue &object, JsonCheck &check, LessonNumber &number) {
     const auto within = object.find("within");
-    if (!within || !within->is(JsonKind::String)) {
+    if (!within) {
+        return;
+    }
+    if (!within->is(JsonKind::String)) {
         number.within = tolerance(object, check);
         return;
     }
@@ -45,7 +48,7 @@ void readBound(const JsonValue &bound, JsonCheck &check, const RandomNumbers &nu
     if (!bound.is(JsonKind::String)) {
         number = check.number(bound, what);
     } else if (const auto random = numbers.find(bound.string()); random != numbers.end()) {
-        number = static_cast<double>(random->second);
+        number = static_cast<double>(random->second.value);
     } else {
         value = valueWord(bound, check, what);
     }
@@ -207,11 +210,12 @@ std::string shownText(JsonCheck &check, const JsonValue &value, std::string_view
     return text;
 }
 
-void readNumbers(const JsonValue &object, JsonCheck &check, std::uint64_t seed, std::size_t page,
-                 RandomNumbers &numbers) {
+std::vector<RandomRange> readNumbers(const JsonValue &object, JsonCheck &check, std::uint64_t seed, std::size_t page,
+                                     RandomNumbers &numbers) {
     constexpr std::int64_t kMax = 1'000'000'000;
+    std::vector<RandomRange> ranges;
     if (!check.expect(object, JsonKind::Object, "\"random\"")) {
-        return;
+        return ranges;
     }
     for (auto member = object.begin(); member != object.end(); ++member) {
         const std::string name = member.key();
@@ -230,8 +234,10 @@ void readNumbers(const JsonValue &object, JsonCheck &check, std::uint64_t seed, 
             check.fault(*member, "bad-range", "expected the smallest and the largest number, such as [3, 20]");
             ends = {0, 1};
         }
-        numbers[name] = randomNumber(seed, page, name, ends[0], ends[1]);
+        ranges.push_back({page, name, ends[0], ends[1]});
+        numbers[name] = {randomNumber(seed, ranges.back()), ends[0]};
     }
+    return ranges;
 }
 
 LessonPosition readPosition(const JsonValue &value, JsonCheck &check, const RandomNumbers &numbers) {
@@ -241,10 +247,17 @@ LessonPosition readPosition(const JsonValue &value, JsonCheck &check, const Rand
     position.place = {place.line, place.column};
     const auto isRandom = [&](const JsonValue &name) {
         const auto random = name.is(JsonKind::String) ? numbers.find(name.string()) : numbers.end();
-        if (random != numbers.end()) {
-            position.advance = static_cast<std::uint64_t>(std::max<std::int64_t>(random->second, 0));
+        if (random == numbers.end()) {
+            return false;
         }
-        return random != numbers.end();
+        if (random->second.from < 0) {
+            check.fault(name, "bad-field",
+                        "the random number " + inQuotes(random->first) + " can be negative, down to " +
+                            std::to_string(random->second.from) + ", but a position cannot",
+                        "let its range begin at 0 or above");
+        }
+        position.advance = static_cast<std::uint64_t>(std::max<std::int64_t>(random->second.value, 0));
+        return true;
     };
     const auto advance = [&](const JsonValue &number) {
         return static_cast<std::uint64_t>(check.integer(number, 0, kMaxAdvances, "the position"));

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront {
 
@@ -22,8 +23,9 @@ std::string shownText(JsonCheck &check, const JsonValue &value, std::string_view
 LessonPosition readPosition(const JsonValue &value, JsonCheck &check, const RandomNumbers &numbers);
 /// Reads a question; `object` is an object.
 LessonQuestion readQuestion(const JsonValue &object, JsonCheck &check, const RandomNumbers &numbers);
-/// Reads {"name": [from, to], ...} and adds a number for each name, those of page `page` with this seed.
-void readNumbers(const JsonValue &object, JsonCheck &check, std::uint64_t seed, std::size_t page,
-                 RandomNumbers &numbers);
+/// Reads {"name": [from, to], ...} and adds a number for each name, those of page `page` with this seed. Returns the
+/// ranges.
+std::vector<RandomRange> readNumbers(const JsonValue &object, JsonCheck &check, std::uint64_t seed, std::size_t page,
+                                     RandomNumbers &numbers);
 
 } // namespace forefront

@@ -1,5 +1,8 @@
 #include "core/teaching/lesson/random_numbers.hpp"
 
+#include <algorithm>
+#include <set>
+
 namespace forefront {
 
 namespace {
@@ -12,26 +15,76 @@ std::uint64_t mixed(std::uint64_t bits) {
     return bits ^ (bits >> 31U);
 }
 
+/// The numbers of a range that seeds have drawn so far, by parts of equal length.
+class Coverage {
+  public:
+    explicit Coverage(const RandomRange &range)
+        : range_(range), count_(static_cast<std::uint64_t>(range.to - range.from) + 1U),
+          width_((count_ + kMaxValues - 1) / kMaxValues) {
+        for (std::uint64_t part = 0; part * width_ < count_; ++part) {
+            missing_.insert(part);
+        }
+        missing_.insert({kFirst, kLast});
+    }
+
+    /// Returns true if every number is a part of its own.
+    bool wholly() const { return width_ == 1; }
+    bool complete() const { return missing_.empty(); }
+    /// Draws the number of a seed; returns true if it is an end of the range, or the first of its part.
+    bool draw(std::uint64_t seed) {
+        const auto number = static_cast<std::uint64_t>(randomNumber(seed, range_) - range_.from);
+        const std::size_t end = number == 0 ? missing_.erase(kFirst) : number + 1 == count_ ? missing_.erase(kLast) : 0;
+        return missing_.erase(number / width_) + end > 0;
+    }
+
+  private:
+    static constexpr std::uint64_t kFirst = kMaxValues, kLast = kMaxValues + 1; ///< the ends, beside the parts
+
+    RandomRange range_;
+    std::uint64_t count_, width_; ///< numbers in the range, and in a part of it
+    std::set<std::uint64_t> missing_;
+};
+
 } // namespace
 
-std::int64_t randomNumber(std::uint64_t seed, std::size_t page, std::string_view name, std::int64_t from,
-                          std::int64_t to) {
-    std::uint64_t bits = mixed(mixed(seed) ^ static_cast<std::uint64_t>(page));
-    for (const char c : name) {
+std::int64_t randomNumber(std::uint64_t seed, const RandomRange &range) {
+    std::uint64_t bits = mixed(mixed(seed) ^ static_cast<std::uint64_t>(range.page));
+    for (const char c : range.name) {
         bits = mixed(bits ^ static_cast<unsigned char>(c));
     }
-    const std::uint64_t count = static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from) + 1U;
-    return from + static_cast<std::int64_t>(bits % count);
+    const std::uint64_t count = static_cast<std::uint64_t>(range.to) - static_cast<std::uint64_t>(range.from) + 1U;
+    return range.from + static_cast<std::int64_t>(bits % count);
 }
 
 std::string withNumbers(std::string text, const RandomNumbers &numbers) {
     for (const auto &[name, number] : numbers) {
         const std::string word = '{' + name + '}';
         for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
-            text.replace(at, word.size(), std::to_string(number));
+            text.replace(at, word.size(), std::to_string(number.value));
         }
     }
     return text;
+}
+
+SeedsToCheck seedsToCheck(const std::vector<RandomRange> &ranges) {
+    constexpr std::uint64_t kMaxTried = 20'000; // 64 parts are drawn from in a few hundred
+    std::vector<Coverage> coverage(ranges.begin(), ranges.end());
+    SeedsToCheck found;
+    found.all = std::all_of(coverage.begin(), coverage.end(), [](const Coverage &range) { return range.wholly(); });
+    for (std::uint64_t seed = 1; seed <= kMaxTried; ++seed) {
+        bool isNew = seed == 1, complete = true;
+        for (Coverage &range : coverage) {
+            isNew = range.draw(seed) || isNew;
+            complete = complete && range.complete();
+        }
+        if (isNew) {
+            found.seeds.push_back(seed);
+        }
+        if (complete) {
+            break;
+        }
+    }
+    return found;
 }
 
 } // namespace forefront

@@ -6,7 +6,7 @@
   const player = $('player');
   const given = lesson.pages.map(() => []); // the answers to the question of each page, in order: { answer, right }
   let page = 0, shownRun = -1, ready = false, shownAnswer = false;
-  /** What the player shows: { done, inner, improved, picked }; null before its first word. */
+  /** What the player shows: { done, inner, improve, place, picked }; null before its first word. */
   let moment = null;
   const light = matchMedia('(prefers-color-scheme: light)').matches;
   document.documentElement.classList.toggle('light', light);
@@ -21,10 +21,10 @@
     if (ready) { player.contentWindow.postMessage({ forefront: 'theme', light: document.documentElement.classList.contains('light') }, '*'); }
   };
   const goTo = (at) => {
-    const { view, cells } = lesson.pages[page];
+    const { view, cells, numbers, bare } = lesson.pages[page];
     if (ready) {
-      player.contentWindow.postMessage({ forefront: 'goTo', done: at[0], event: at[1], improved: at[2] === 1, follow: view.follow === 1,
-        box: view.box || null, cells: cells === 1 }, '*');
+      player.contentWindow.postMessage({ forefront: 'goTo', done: at[0], event: at[1], improve: at[2], follow: view.follow === 1,
+        box: view.box || null, cells: cells === 1, numbers: numbers === 1, bare: bare === 1 && at === lesson.pages[page].at }, '*');
     }
   };
   const showScene = () => {
@@ -48,7 +48,7 @@
     } else if (event.data.forefront === 'moment' && ready) {
       const before = moment;
       moment = event.data;
-      const same = before && before.done === moment.done && before.inner === moment.inner && before.improved === moment.improved;
+      const same = before && before.done === moment.done && before.inner === moment.inner && before.improve === moment.improve;
       if (moment.picked < 0 && same) { return; }
       checkTask();
     }
@@ -66,19 +66,19 @@
     given[page].push({ answer: text, right });
     reply(right, right ? why || 'Right.' : hint || questionNow().hint || 'Not yet. Try again.');
   };
-  /** A task is done at the listed moments: [advances done, within the next one, improved, candidate or -1, words]. */
+  /** A task is done at the listed moments: [advances done, within the next one, moment of the improvement, candidate or -1, words]. */
   const checkTask = () => {
     const question = questionNow();
     if (!question || !question.done || !moment || solved()) { return; }
-    const found = question.done.find(([done, inner, improved, picked]) => done === moment.done && (inner === 1) === moment.inner &&
-      (improved === 1) === moment.improved && (picked < 0 || picked === moment.picked));
+    const found = question.done.find(([done, inner, improve, picked]) => done === moment.done && (inner === 1) === moment.inner &&
+      improve === moment.improve && (picked < 0 || picked === moment.picked));
     if (found && shownAnswer) { // by Show me, which is no answer
       reply(true, words(found[4]));
       return;
     }
     shownAnswer = false;
     if (found) {
-      answer('advance ' + moment.done, true, words(found[4]));
+      answer('advance ' + moment.place, true, words(found[4]));
     } else if (moment.picked >= 0 && question.asksForCandidate) {
       answer('candidate ' + (moment.picked + 1), false);
     }

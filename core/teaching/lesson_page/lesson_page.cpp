@@ -7,7 +7,6 @@
 #include "core/teaching/page/run_record.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,7 +20,7 @@ namespace {
 /// A run that pages show.
 struct ShownRun {
     const LessonPage *page = nullptr; ///< the first of them
-    bool improved = false;            ///< the player has an improved mesh after the front, see RecordedRun::improved
+    std::size_t moments = 0;          ///< after the front, that the player has, see RecordedRun::improveMoments()
 };
 
 /// Returns the index into `runs` of the run that a page shows, which becomes a new one if none of them is the same;
@@ -71,11 +70,11 @@ class LessonData {
   public:
     LessonData(TextWriter &out, const Progress &progress) : out_(out), progress_(progress) {}
 
-    /// Writes a page as an object. `number`: the index of its run; -1: `run` is null. `improved`: see ShownRun.
-    void page(const LessonPage &page, int number, LessonRun *run, bool improved) {
+    /// Writes a page as an object. `number`: the index of its run; -1: `run` is null. `moments`: see ShownRun.
+    void page(const LessonPage &page, int number, LessonRun *run, std::size_t moments) {
         page_ = &page;
         run_ = run;
-        improved_ = improved;
+        moments_ = moments;
         SessionSnapshot none;
         std::shared_ptr<const SessionSnapshot> shown(&none, [](const SessionSnapshot *) {});
         if (run != nullptr) {
@@ -84,17 +83,20 @@ class LessonData {
         const LessonState state{*shown};
         out_ << "{\"title\":" << scriptString(page.title) << ",\"run\":" << number << ",\"at\":";
         position(page.position);
-        if (shown->improveStep > 0 && !shown->atEnd()) {
+        if (shown->improveStep > 0 && !momentOf(shown->improveStep)) {
             out_ << ",\"note\":"
                  << scriptString("This page is about step " + std::to_string(shown->improveStep) + " of " +
                                  std::to_string(shown->improveSteps) +
-                                 " of the improvement, which the editor shows. Here you see the mesh before it.");
+                                 " of the improvement, which the editor shows. Here you see the improved mesh.");
         }
         out_ << ",\"view\":";
         view(page.camera);
-        const bool cells =
-            page.layers && std::find(page.layers->begin(), page.layers->end(), "grid") != page.layers->end();
-        out_ << ",\"cells\":" << (cells ? 1 : 0) << ",\"text\":[";
+        const auto shows = [&page](const char *layer) {
+            return page.layers && std::find(page.layers->begin(), page.layers->end(), layer) != page.layers->end();
+        };
+        const bool bare = page.layers && !shows("front") && !shows("candidates");
+        out_ << ",\"cells\":" << (shows("grid") ? 1 : 0) << ",\"numbers\":" << (shows("numbers") ? 1 : 0)
+             << ",\"bare\":" << (bare ? 1 : 0) << ",\"text\":[";
         for (const std::string &paragraph : page.paragraphs) {
             out_ << (&paragraph == page.paragraphs.data() ? "" : ",") << scriptString(withValues(paragraph, state));
         }
@@ -120,19 +122,31 @@ class LessonData {
     Diagnostics takeWarnings() { return std::move(warnings_); }
 
   private:
-    /// Writes a position of the player: advances done, event of the next one, whether the mesh is improved. The player
-    /// has no moment of its own for the first event, the choice of the base, and none for steps of the improvement.
+    /// Returns the moment of the player after so many steps of the improvement; nothing if it has none. Long
+    /// improvements are not recorded whole; their last moment is the end.
+    std::optional<std::size_t> momentOf(std::size_t step) const {
+        return step == run_->improveSteps() ? std::optional(moments_)
+               : step < moments_            ? std::optional(step)
+                                            : std::nullopt;
+    }
+
+    /// Writes a position of the player: advances done, event of the next one, moment of the improvement. The player has
+    /// no moment of its own for the first event, the choice of the base.
     void position(const LessonPosition &position) {
-        const bool hasRun = run_ != nullptr;
-        const std::uint64_t last = hasRun ? run_->advances() : 0;
-        const std::uint64_t beyond = position.advance - std::min(position.advance, last);
-        const bool end = hasRun && (position.atEnd ||
-                                    (position.advance >= last &&
-                                     beyond + static_cast<std::uint64_t>(position.events) >= run_->improveSteps()));
+        const std::uint64_t last = run_ != nullptr ? run_->advances() : 0;
         const std::uint64_t done = position.atEnd ? last : std::min(position.advance, last);
+        const bool inFront = run_ == nullptr || (done < last && !position.atEnd);
         const std::int64_t event =
-            position.atEnd || done == last || position.events == 0 ? 0 : std::max<std::int64_t>(position.events - 1, 1);
-        out_ << '[' << done << ',' << event << ',' << (end && improved_ ? 1 : 0) << ']';
+            !inFront || position.events == 0 ? 0 : std::max<std::int64_t>(position.events - 1, 1);
+        std::size_t moment = 0;
+        if (!inFront) {
+            const std::uint64_t steps = position.advance - done + static_cast<std::uint64_t>(position.events);
+            moment = position.atEnd
+                         ? moments_
+                         : momentOf(static_cast<std::size_t>(std::min<std::uint64_t>(steps, run_->improveSteps())))
+                               .value_or(moments_);
+        }
+        out_ << '[' << done << ',' << event << ',' << moment << ']';
     }
 
     void view(const LessonCamera &camera) {
@@ -189,14 +203,10 @@ class LessonData {
     /// Writes [number, tolerance, hint] for each mistake that has a number.
     void mistakes(const LessonNumber &number, const LessonState &state) {
         bool first = true;
-        for (const LessonNumber::Mistake &mistake : number.mistakes) {
-            const auto value = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
-            if (value) {
-                out_ << (first ? "[" : ",[") << *value << ','
-                     << std::max(number.within, 0.01 * number.percent * std::abs(*value)) << ','
-                     << scriptString(withValues(mistake.hint, state)) << ']';
-                first = false;
-            }
+        for (const KnownMistake &mistake : mistakesOf(number, state)) {
+            out_ << (first ? "[" : ",[") << mistake.number << ',' << mistake.within << ','
+                 << scriptString(withValues(*mistake.hint, state)) << ']';
+            first = false;
         }
     }
 
@@ -217,11 +227,11 @@ class LessonData {
     bool moments(const LessonTask &task, const std::string &why) {
         const bool ofMesh = asksForMesh(task) || needsMesh(why);
         bool first = true;
-        const auto write = [&](std::uint64_t done, bool inner, bool improved, const SessionSnapshot &run) {
+        const auto write = [&](std::uint64_t done, bool inner, std::size_t moment, const SessionSnapshot &run) {
             const auto add = [&](std::optional<std::size_t> chosen) {
                 const LessonState state{run, chosen};
                 if (isDone(task, state)) {
-                    out_ << (first ? "[" : ",[") << done << ',' << (inner ? 1 : 0) << ',' << (improved ? 1 : 0) << ','
+                    out_ << (first ? "[" : ",[") << done << ',' << (inner ? 1 : 0) << ',' << moment << ','
                          << (chosen ? static_cast<int>(*chosen) : -1) << ',' << words_.add(withValues(why, state))
                          << ']';
                     first = false;
@@ -236,13 +246,15 @@ class LessonData {
             }
         };
         for (std::uint64_t k = 0; k <= run_->advances() && !progress_.cancelled(); ++k) {
-            write(k, false, false, *run_->at({.advance = k}, ofMesh));
+            write(k, false, 0, *run_->at({.advance = k}, ofMesh));
             if (k < run_->advances()) {
-                write(k, true, false, *run_->at({.advance = k, .events = 1}, ofMesh));
+                write(k, true, 0, *run_->at({.advance = k, .events = 1}, ofMesh));
             }
         }
-        if (improved_) {
-            write(run_->advances(), false, true, *run_->at({.atEnd = true}));
+        for (std::size_t moment = 1; moment <= moments_ && !progress_.cancelled(); ++moment) {
+            write(run_->advances(), false, moment,
+                  *run_->at(moment == moments_ ? LessonPosition{.atEnd = true}
+                                               : LessonPosition{.advance = run_->advances() + moment}));
         }
         return !first;
     }
@@ -251,7 +263,7 @@ class LessonData {
     const Progress &progress_;
     const LessonPage *page_ = nullptr;
     LessonRun *run_ = nullptr;
-    bool improved_ = false;
+    std::size_t moments_ = 0; ///< of the improvement, that the player has
     WordList words_;
     Diagnostics warnings_;
 };
@@ -270,12 +282,20 @@ void writeHead(TextWriter &out, const std::string &title) {
         << playerScript() << "</script></template>\n";
 }
 
-/// Writes the run of a page for the player.
-Status writeShownRun(const Lesson &lesson, ShownRun &shown, LessonRun &run, TextWriter &out, const Progress &progress) {
-    const RunPagePlan plan{.title = {}, .from = 0, .steps = {}, .maxAdvances = kMaxAdvances};
-    const Result<RecordedRun> recorded = run.options().order == ElementOrder::First
-                                             ? recordRun(run.stepper(), run.options(), plan, progress)
-                                             : recordRun(jobOf(*documentOf(*shown.page)), plan, progress);
+/// The text of a run, without the steps of its improvement, which must share what is left of the page.
+struct RunText {
+    std::string text;
+    std::optional<RecordedImprovement> improvement; ///< not set: it has none
+};
+
+/// Records the run of a page for the player.
+Result<RunText> runText(const Lesson &lesson, const ShownRun &shown, LessonRun &run, std::size_t maxImproveBytes,
+                        const Progress &progress) {
+    const RunPagePlan plan{
+        .title = {}, .from = 0, .steps = {}, .maxAdvances = kMaxAdvances, .maxImproveBytes = maxImproveBytes};
+    Result<RecordedRun> recorded = run.options().order == ElementOrder::First
+                                       ? recordRun(run.stepper(), run.options(), plan, progress)
+                                       : recordRun(jobOf(*documentOf(*shown.page)), plan, progress);
     if (!recorded) {
         const bool large = recorded.faults().front().code == "too-large";
         return large ? error("too-large",
@@ -284,8 +304,46 @@ Status writeShownRun(const Lesson &lesson, ShownRun &shown, LessonRun &run, Text
                              "choose a larger size for its drawing")
                      : recorded.faults();
     }
-    shown.improved = recorded->improved.has_value();
-    writeRun(out, *recorded, lesson.title, 0, detailedOf(*recorded, lesson, *shown.page));
+    StringSink sink;
+    TextWriter out(sink);
+    writeRunWithoutSteps(out, *recorded, lesson.title, 0, detailedOf(*recorded, lesson, *shown.page));
+    out.flush();
+    RunText text{std::move(sink.text), {}};
+    if (recorded->improved) {
+        text.improvement = std::move(recorded->improvement);
+    }
+    return text;
+}
+
+/// Writes the runs that the pages show, each with as many steps of its improvement as there is room for.
+Status writeRuns(const Lesson &lesson, std::vector<ShownRun> &shown, LessonRuns &runs, std::size_t maxImproveBytes,
+                 TextWriter &out, const Progress &progress) {
+    constexpr std::size_t kRunBytes = 900'000; // so that pages of long runs stay below a megabyte, if they can
+    std::vector<RunText> texts;
+    std::size_t bytes = 0;
+    for (const ShownRun &each : shown) {
+        const Result<std::shared_ptr<LessonRun>> run = runs.of(*each.page, progress);
+        if (!run) {
+            return run.faults();
+        }
+        Result<RunText> text = runText(lesson, each, **run, maxImproveBytes, progress);
+        if (!text) {
+            return text.faults();
+        }
+        texts.push_back(*std::move(text));
+        bytes += texts.back().text.size();
+    }
+    const std::size_t room = std::min(maxImproveBytes, kRunBytes - std::min(kRunBytes, bytes));
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+        std::optional<RecordedImprovement> &improvement = texts[k].improvement;
+        if (improvement) {
+            improvement->limit(room / shown.size());
+            shown[k].moments = improvement->moments();
+        }
+        out << "<script type=\"application/json\" id=\"run" << k << "\">\n" << texts[k].text;
+        writeSteps(out, improvement ? &*improvement : nullptr);
+        out << "\n</script>\n";
+    }
     return {};
 }
 
@@ -296,23 +354,16 @@ Status writeLessonPage(const Lesson &lesson, TextWriter &out, const Progress &pr
     return writeLessonPage(lesson, runs, out, progress);
 }
 
-Status writeLessonPage(const Lesson &lesson, LessonRuns &runs, TextWriter &out, const Progress &progress) {
+Status writeLessonPage(const Lesson &lesson, LessonRuns &runs, TextWriter &out, const Progress &progress,
+                       std::size_t maxImproveBytes) {
     std::vector<ShownRun> shown;
     std::vector<int> runOfPage;
     for (const LessonPage &page : lesson.pages) {
         runOfPage.push_back(runOf(page, shown));
     }
     writeHead(out, lesson.title);
-    for (std::size_t k = 0; k < shown.size(); ++k) {
-        const Result<std::shared_ptr<LessonRun>> run = runs.of(*shown[k].page, progress);
-        if (!run) {
-            return run.faults();
-        }
-        out << "<script type=\"application/json\" id=\"run" << k << "\">\n";
-        if (Status faults = writeShownRun(lesson, shown[k], **run, out, progress); !faults.empty()) {
-            return faults;
-        }
-        out << "\n</script>\n";
+    if (Status faults = writeRuns(lesson, shown, runs, maxImproveBytes, out, progress); !faults.empty()) {
+        return faults;
     }
     out << "<script type=\"application/json\" id=\"lesson\">\n{\"title\":" << scriptString(lesson.title)
         << ",\"about\":" << scriptString(lesson.about) << ",\"seed\":" << lesson.seed << ",\"pages\":[\n";
@@ -320,14 +371,14 @@ Status writeLessonPage(const Lesson &lesson, LessonRuns &runs, TextWriter &out, 
     for (std::size_t k = 0; k < lesson.pages.size(); ++k) {
         out << (k == 0 ? "" : ",\n");
         if (runOfPage[k] < 0) {
-            data.page(lesson.pages[k], -1, nullptr, false);
+            data.page(lesson.pages[k], -1, nullptr, 0);
             continue;
         }
         const Result<std::shared_ptr<LessonRun>> run = runs.of(lesson.pages[k], progress);
         if (!run) {
             return run.faults();
         }
-        data.page(lesson.pages[k], runOfPage[k], run->get(), shown[static_cast<std::size_t>(runOfPage[k])].improved);
+        data.page(lesson.pages[k], runOfPage[k], run->get(), shown[static_cast<std::size_t>(runOfPage[k])].moments);
         if (progress.cancelled()) { // the moments of its task may be incomplete
             return error("cancelled", "the page was cancelled");
         }

@@ -5,6 +5,7 @@
   const advances = run.advances.map((advance) => Array.isArray(advance) ? { thin: true, elements: advance,
     base: advance.length ? advance.slice(0, 2) : run.front.slice(0, 2), candidates: [], tests: [], cells: [], events: [] } : advance);
   const $ = (id) => document.getElementById(id);
+  const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const embedded = parent !== window; // in a page of its own, such as that of a lesson
   const canvas = $('canvas'), paint = canvas.getContext('2d');
   const Step = { base: 2, spacing: 3, ideal: 4, find: 5, score: 6, sort: 7, test: 8, update: 9, finish: 10 };
@@ -78,31 +79,39 @@
 
   // ---- The position: advances done, and events of the next one ----
 
-  // position.improved: the finished mesh after improvement, one step beyond the last advance.
-  const position = { done: Math.min(run.from, advances.length), event: 0, improved: false };
-  const last = advances.length;
-  const goTo = (done, event = 0, improved = false) => {
+  // position.improve: moments of the improvement after the last advance; the last of them is the improved mesh.
+  const position = { done: Math.min(run.from, advances.length), event: 0, improve: 0 };
+  const last = advances.length, moments = run.improved ? run.improved.moments : 0;
+  const isImproved = () => moments > 0 && position.improve === moments;
+  const isAtEnd = () => position.done === last && position.improve === moments;
+  let bare = false; // the page around wants the mesh alone, until one moves on
+  const goTo = (done, event = 0, improve = 0) => {
+    const before = position.done === last ? position.improve : -1;
     position.done = Math.max(0, Math.min(last, done));
     position.event = position.done < last ? Math.max(0, Math.min(event, advances[position.done].events.length - 1)) : 0;
-    position.improved = improved && Boolean(run.improved) && position.done === last;
+    position.improve = position.done === last ? Math.max(0, Math.min(moments, improve)) : 0;
+    findStep(before + 1 === position.improve && before >= 0);
+    bare = false;
     follow();
     show();
   };
+  /** Goes to a place on the timeline: advances, then moments of the improvement. */
+  const goAlong = (place) => goTo(place, 0, place - last);
   const stepForward = (unit) => {
-    if (position.done === last) { goTo(last, 0, true); return position.improved; }
+    if (position.done === last) { goTo(last, 0, position.improve + 1); return !isAtEnd(); }
     const events = advances[position.done].events.length;
     if (unit === 'event' && position.event + 1 < events) { goTo(position.done, position.event + 1); } else { goTo(position.done + 1); }
     return true;
   };
   const stepBack = (unit) => {
-    if (position.improved) { goTo(last); } else if (unit === 'event' && position.event > 0) { goTo(position.done, position.event - 1); } else if (unit === 'event' && position.done > 0) {
+    if (position.improve > 0) { goTo(last, 0, position.improve - 1); } else if (unit === 'event' && position.event > 0) { goTo(position.done, position.event - 1); } else if (unit === 'event' && position.done > 0) {
       goTo(position.done - 1, advances[position.done - 1].events.length - 1);
     } else { goTo(position.event > 0 ? position.done : position.done - 1); }
   };
 
   /** What is known of the advance in view: the one under way, or the last one done. */
   const momentNow = () => {
-    if (position.improved) { return null; }
+    if (position.improve > 0) { return null; }
     const underWay = position.event > 0;
     const advance = underWay ? advances[position.done] : advances[position.done - 1];
     if (!advance) { return null; }
@@ -126,6 +135,40 @@
       caption: at ? run.words[at[6]] : advance.thin ? '' : run.words[advance.outcome] };
   };
 
+  // ---- The improvement ----
+
+  const recorded = run.improved ? run.improved.steps.length : 0; // steps; if some are left out, the last moment follows them all
+  const meshAfter = recorded > 0 ? improvementOf(run.improved, run.nodes, elements) : null;
+  let improving = null; // the step of the improvement, that led to the moment shown; null: none, or not recorded
+  let gliding = null; // by node, where it comes from
+  const kGlide = 180; // milliseconds
+  let glideStart = 0;
+  /** Finds the step that led to the moment shown. `glides`: its nodes are seen moving. */
+  const findStep = (glides = false) => {
+    const at = position.improve;
+    // At the end it is shown only if one has stepped there; else the mesh is the point.
+    improving = at === 0 || at > recorded || (at === moments && !glides) ? null : improving && improving.done === at ? improving : meshAfter(at);
+    gliding = glides && improving && !calm && improving.moved.length > 0 ? new Map(improving.moved.map(([from, , n]) => [n, from])) : null;
+    glideStart = performance.now();
+    if (gliding) { requestAnimationFrame(glideOn); }
+  };
+  const glideOn = (now) => {
+    if (!gliding) { return; }
+    if (now - glideStart >= kGlide) { gliding = null; } else { requestAnimationFrame(glideOn); }
+    draw();
+  };
+  /** Returns the mesh of the moment shown: of a step, whose nodes may be on their way, or improved; null: that of the front. */
+  const meshNow = () => {
+    if (isImproved() && !gliding) { return run.improved; }
+    if (!improving) { return null; }
+    const left = gliding ? (1 - Math.min(1, Math.max(0, (performance.now() - glideStart) / kGlide))) ** 3 : 0;
+    const nodes = left === 0 ? improving.nodes : improving.nodes.map((v, i) => {
+      const from = gliding.get(Math.floor(i / 2));
+      return from ? v + left * (from[i % 2] - v) : v;
+    });
+    return { nodes, elements: improving.elements, edges: run.edges, gone: improving.gone };
+  };
+
   // ---- The camera ----
 
   const camera = { x: 0, y: 0, zoom: 1 }; // of the middle of the canvas; pixels per unit
@@ -135,26 +178,35 @@
     box[0] = Math.min(box[0], run.nodes[i]); box[2] = Math.max(box[2], run.nodes[i]);
     box[1] = Math.min(box[1], run.nodes[i + 1]); box[3] = Math.max(box[3], run.nodes[i + 1]);
   }
-  const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const whole = () => ({ x: (box[0] + box[2]) / 2, y: (box[1] + box[3]) / 2,
     zoom: 0.9 * Math.min(canvas.clientWidth / (box[2] - box[0] || 1), canvas.clientHeight / (box[3] - box[1] || 1)) });
   const moveTo = (there) => {
-    if (calm || !drawn) { Object.assign(camera, there); target = null; draw(); } else { target = { from: { ...camera }, to: there, start: performance.now() }; requestAnimationFrame(glide); }
+    if (calm || !drawn) { Object.assign(camera, there); target = null; draw(); } else { target = { from: { ...camera }, to: there, start: performance.now() }; requestAnimationFrame(moveOn); }
   };
-  const glide = (now) => {
+  const moveOn = (now) => {
     if (!target) { return; }
     const t = Math.min(1, Math.max(0, (now - target.start) / 160)), s = 1 - (1 - t) ** 3;
     camera.x = target.from.x + s * (target.to.x - target.from.x);
     camera.y = target.from.y + s * (target.to.y - target.from.y);
     camera.zoom = target.from.zoom * (target.to.zoom / target.from.zoom) ** s;
-    if (t === 1) { target = null; } else { requestAnimationFrame(glide); }
+    if (t === 1) { target = null; } else { requestAnimationFrame(moveOn); }
     draw();
+  };
+  /** The view of what a step of the improvement changes; null if that is a large part of the mesh. */
+  const aroundStep = () => {
+    const { moved, lost, added, removed, made, nodes } = improving;
+    const places = [...moved.flatMap(([from, to]) => [from, to]), ...lost.flat(), ...added, ...removed, ...made.flat().map((n) => nodes.slice(2 * n, 2 * n + 2))];
+    if (places.length === 0 || places.length > 400) { return null; }
+    const [x, y] = [0, 1].map((k) => places.map((p) => p[k])).map((values) => [Math.min(...values), Math.max(...values)]);
+    const size = Math.max(x[1] - x[0], y[1] - y[0]), all = whole();
+    if (size > 0.3 * Math.max(box[2] - box[0], box[3] - box[1])) { return null; }
+    return { x: (x[0] + x[1]) / 2, y: (y[0] + y[1]) / 2, zoom: Math.max(all.zoom, Math.min(6 * all.zoom, 0.3 * canvas.clientHeight / (size || 1))) };
   };
   /** Keeps AB in view and 60 to 120 pixels long. */
   const follow = () => {
     const moment = momentNow();
     if (!following) { return; }
-    if (!moment) { moveTo(whole()); return; }
+    if (!moment) { moveTo((improving && aroundStep()) || whole()); return; }
     const [a, b] = moment.advance.base.map(node);
     const there = { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2 };
     const length = Math.hypot(a[0] - b[0], a[1] - b[1]);
@@ -298,6 +350,23 @@
       });
     }
   };
+  /** Draws what a step of the improvement has changed. */
+  const drawStep = (nodes) => {
+    const { made, lost, moved, added, removed } = improving;
+    if (made.length > 0 && made.length <= 400) {
+      paint.globalAlpha = .28; triangles(made.flat(), nodes, made.length, colours.accepted, colours.accepted); paint.globalAlpha = 1;
+    }
+    for (const side of lost) { line(side, colours.bad, 1.8, [6, 4]); }
+    for (const [from, to] of moved) {
+      if (Math.hypot(to[0] - from[0], to[1] - from[1]) * camera.zoom >= 1) { line([from, to], colours.accepted, 1.8); }
+    }
+    for (const [places, colour] of [[added, colours.accepted], [removed, colours.bad]]) {
+      for (const p of places) {
+        const [x, y] = at(p);
+        paint.beginPath(); paint.arc(x, y, 6, 0, 2 * Math.PI); paint.strokeStyle = colour; paint.lineWidth = 2; paint.stroke();
+      }
+    }
+  };
   const draw = () => {
     drawn = true;
     fitCanvas(canvas);
@@ -305,18 +374,21 @@
     paint.fillStyle = colours.canvas; paint.fillRect(0, 0, canvas.clientWidth, canvas.clientHeight);
     triangles(elements, run.nodes, elements.length / 3, colours.domain, colours.domain);
     const moment = momentNow();
-    if (position.improved) { triangles(run.improved.elements, run.improved.nodes, run.improved.elements.length / 3, colours.element, colours.mesh); } else { triangles(elements, run.nodes, firstElement[position.done], colours.element, colours.mesh); }
-    const edges = position.improved ? run.improved : run;
-    for (let i = 0; i < edges.edges.length; i += 2) {
-      line([0, 1].map((k) => edges.nodes.slice(2 * edges.edges[i + k], 2 * edges.edges[i + k] + 2)), colours.boundary, 1.6);
+    const mesh = meshNow();
+    if (mesh) { triangles(mesh.elements, mesh.nodes, mesh.elements.length / 3, colours.element, colours.mesh); } else { triangles(elements, run.nodes, firstElement[position.done], colours.element, colours.mesh); }
+    const { edges, nodes } = mesh || run;
+    for (let i = 0; i < edges.length; i += 2) {
+      line([0, 1].map((k) => nodes.slice(2 * edges[i + k], 2 * edges[i + k] + 2)), colours.boundary, 1.6);
     }
-    if (!position.improved) { drawFront(moment); }
-    if (moment) { drawMoment(moment); }
+    if (!mesh && !bare) { drawFront(moment); }
+    if (moment && !bare) { drawMoment(moment); }
+    if (improving) { drawStep(gliding ? nodes : improving.nodes); }
     if (pressed('numbers')) {
-      const count = position.improved ? run.improved.nodes.length / 2 : nodesAt[position.done];
+      const count = mesh ? nodes.length / 2 : nodesAt[position.done];
       for (let n = 0; n < count; ++n) {
-        const p = position.improved ? run.improved.nodes.slice(2 * n, 2 * n + 2) : node(n), [x, y] = at(p);
-        if (x > 0 && y > 0 && x < canvas.clientWidth && y < canvas.clientHeight) { label(p, 5, 3, String(n), colours.muted); }
+        const p = nodes.slice(2 * n, 2 * n + 2), [x, y] = at(p);
+        const seen = x > 0 && y > 0 && x < canvas.clientWidth && y < canvas.clientHeight && !(mesh && mesh.gone && mesh.gone.has(n));
+        if (seen) { label(p, 5, 3, String(n), colours.muted); }
       }
     }
   };
@@ -368,13 +440,13 @@
   };
   const showFigures = () => {
     const mean = sizes.slice(0, position.done).reduce((sum, size) => sum + size, 0) / (position.done || 1);
-    const rows = [['Γ, segments of the front', position.improved ? 0 : sizes[position.done]],
-      ['Elements', position.improved ? run.improved.elements.length / 3 : firstElement[position.done]],
-      ['Nodes', position.improved ? run.improved.nodes.length / 2 : nodesAt[position.done]],
+    const counts = isImproved() ? [run.improved.elements.length / 3, run.improved.nodes.length / 2] :
+      improving ? [improving.elements.length / 3, improving.nodes.length / 2 - improving.gone.size] : [firstElement[position.done], nodesAt[position.done]];
+    const rows = [['Γ, segments of the front', sizes[position.done]], ['Elements', counts[0]], ['Nodes', counts[1]],
       ['Nb, mean of Γ', position.done ? number(mean) : '']];
     if (position.done === last) {
-      const shape = position.improved ? run.improved : run.raw;
-      rows.push(['α mean', shape.mean.toFixed(3)], ['α least', shape.least.toFixed(3)]);
+      const [alpha, least] = improving && !isImproved() ? run.improved.steps[improving.done - 1].f : isImproved() ? [run.improved.mean, run.improved.least] : [run.raw.mean, run.raw.least];
+      rows.push(['α mean', alpha.toFixed(3)], ['α least', least.toFixed(3)]);
     }
     $('figures').tBodies[0].replaceChildren(...rows.map(([name, value]) => {
       const row = document.createElement('tr');
@@ -384,7 +456,8 @@
     }));
   };
   const captionNow = (moment) => {
-    if (position.improved) { return 'The finished mesh after improvement'; }
+    if (improving) { return 'Improvement ' + improving.done + ' of ' + run.improved.total + ': ' + run.improved.steps[improving.done - 1].w; }
+    if (isImproved()) { return 'The finished mesh after improvement' + (run.improved.total > 1 ? ' in ' + run.improved.total + ' steps' : ''); }
     if (!moment) { return 'Before the first advance: the boundary is the front Γ'; }
     if (moment.advance.thin) { return 'Advance ' + moment.number + ': this page has no details of it'; }
     return 'Advance ' + moment.number + '. Edge ' + moment.advance.base.join('–') + ': ' + moment.caption;
@@ -394,30 +467,33 @@
     fitCanvas(plot);
     const width = plot.clientWidth, height = plot.clientHeight, top = Math.max(...sizes);
     pen.clearRect(0, 0, width, height);
-    const x = (k) => 6 + (width - 12) * k / (last || 1), y = (size) => height - 3 - (height - 8) * size / top;
+    const x = (k) => 6 + (width - 12) * k / (last + moments || 1), y = (size) => height - 3 - (height - 8) * size / top;
     pen.beginPath(); pen.moveTo(x(0), height);
     sizes.forEach((size, k) => pen.lineTo(x(k), y(size)));
     pen.lineTo(x(last), height); pen.closePath();
     pen.globalAlpha = .28; pen.fillStyle = colours.front; pen.fill(); pen.globalAlpha = 1;
     advances.forEach((advance, k) => { if (!advance.elements.length) { pen.fillStyle = colours.warn; pen.fillRect(x(k + 1) - 1, 2, 2, 5); } });
-    pen.fillStyle = colours.text; pen.fillRect(x(position.done) - 1, 0, 2, height);
+    pen.globalAlpha = .4; pen.fillStyle = colours.accepted; pen.fillRect(x(last), height - 6, x(last + moments) - x(last), 6); pen.globalAlpha = 1;
+    pen.fillStyle = colours.text; pen.fillRect(x(position.done + position.improve) - 1, 0, 2, height);
   };
-  /** Tells the page around the player, if there is one, what is shown. `picked`: the candidate clicked, or -1. */
+  /** Tells the page around the player, if there is one, what is shown. `place`: advances and steps of the improvement done;
+   *  `picked`: the candidate clicked, or -1. */
   const tell = (picked = -1) => {
-    if (embedded) { parent.postMessage({ forefront: 'moment', done: position.done, inner: position.event > 0, improved: position.improved, picked }, '*'); }
+    if (embedded) { parent.postMessage({ forefront: 'moment', done: position.done, inner: position.event > 0, improve: position.improve, place: position.done + (isImproved() ? run.improved.total : position.improve), picked }, '*'); }
   };
   /** Puts the position into the address, so that it can be passed on. Browsers allow this only a few times a second. */
-  const link = () => embedded || history.replaceState(null, '', '#' + position.done + (position.event ? '.' + position.event : '') + (position.improved ? '.improved' : ''));
+  const link = () => embedded || history.replaceState(null, '', '#' + position.done + (position.event ? '.' + position.event : '') + (isImproved() ? '.improved' : position.improve ? '.i' + position.improve : ''));
   let linked = 0;
   const show = () => {
     const moment = momentNow();
     chosen = -1;
+    document.body.classList.toggle('improving', position.improve > 0);
     showSteps(moment); showCandidates(moment); showFigures(); drawPlot();
     $('caption').textContent = captionNow(moment);
     $('caption').title = captionNow(moment);
-    $('position').textContent = position.improved ? 'improved' : position.done + (position.event ? '+' + position.event : '') + ' / ' + last;
+    $('position').textContent = isImproved() ? 'improved' : position.improve ? 'step ' + position.improve + ' / ' + moments : position.done + (position.event ? '+' + position.event : '') + ' / ' + last;
     const plot = $('plot');
-    plot.setAttribute('aria-valuemin', 0); plot.setAttribute('aria-valuemax', last); plot.setAttribute('aria-valuenow', position.done);
+    plot.setAttribute('aria-valuemin', 0); plot.setAttribute('aria-valuemax', last + moments); plot.setAttribute('aria-valuenow', position.done + position.improve);
     $('start').disabled = $('back').disabled = position.done === 0 && position.event === 0;
     clearTimeout(linked);
     linked = setTimeout(link, 250);
@@ -440,7 +516,7 @@
   };
   const togglePlay = () => {
     if (playing()) { pause(); return; }
-    if (position.done === last) { goTo(0); }
+    if (isAtEnd()) { goTo(0); }
     tick(); shape();
   };
   const setFollowing = (on) => { following = on; press('follow', on); if (on) { follow(); draw(); } };
@@ -448,7 +524,7 @@
   const toggle = (id) => { press(id, !pressed(id)); draw(); };
   const setTheme = (light) => { document.documentElement.classList.toggle('light', light); readColours(); drawPlot(); draw(); };
   const commands = {
-    start: () => goTo(0), end: () => goTo(last, 0, true), back: () => stepBack($('unit').value), next: () => stepForward($('unit').value),
+    start: () => goTo(0), end: () => goTo(last, 0, moments), back: () => stepBack($('unit').value), next: () => stepForward($('unit').value),
     play: togglePlay, fit, follow: () => setFollowing(!following), cells: () => toggle('cells'), numbers: () => toggle('numbers'),
     theme: () => setTheme(!document.documentElement.classList.contains('light')) };
   for (const [id, command] of Object.entries(commands)) {
@@ -495,19 +571,23 @@
   canvas.addEventListener('wheel', (event) => { event.preventDefault(); free(); zoomAt(event.offsetX, event.offsetY, Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0015))); draw(); }, { passive: false });
 
   const plot = $('plot');
-  const seek = (event) => { pause(); goTo(Math.round(Math.min(1, Math.max(0, (event.offsetX - 6) / (plot.clientWidth - 12))) * last)); };
+  const seek = (event) => { pause(); goAlong(Math.round(Math.min(1, Math.max(0, (event.offsetX - 6) / (plot.clientWidth - 12))) * (last + moments))); };
   plot.onpointerdown = (event) => { plot.setPointerCapture(event.pointerId); seek(event); };
   plot.onpointermove = (event) => { if (plot.hasPointerCapture(event.pointerId)) { seek(event); } };
 
   // ---- The page around ----
 
-  /** { forefront: 'goTo', done, event, improved, follow, box, cells }: box is [x0, y0, x1, y1], or null for the whole domain. */
+  /** { forefront: 'goTo', done, event, improve, follow, box, cells, numbers, bare }: box is [x0, y0, x1, y1], or null for the whole
+   *  domain; bare: the mesh alone. */
   const obey = (wish) => {
     pause();
     following = wish.follow;
     press('follow', following);
     press('cells', wish.cells);
-    goTo(wish.done, wish.event, wish.improved);
+    press('numbers', wish.numbers);
+    goTo(wish.done, wish.event, wish.improve);
+    bare = wish.bare;
+    draw();
     if (!following) {
       const [x0, y0, x1, y1] = wish.box || [0, 0, 0, 0];
       moveTo(wish.box ? { x: (x0 + x1) / 2, y: (y0 + y1) / 2, zoom: Math.min(canvas.clientWidth / (x1 - x0), canvas.clientHeight / (y1 - y0)) } : whole());
@@ -535,11 +615,11 @@
   document.title = run.title;
   $('title').textContent = run.title;
   $('about').textContent = run.about;
-  if (!run.improved) { delete commands.improved; }
-  const place = /^#(\d+)(?:\.(\d+))?(\.improved)?$/.exec(location.hash);
+  const place = /^#(\d+)(?:\.(\d+))?(\.improved|\.i\d+)?$/.exec(location.hash);
   if (place) {
     const done = Math.min(Number(place[1]), last), events = done < last ? advances[done].events.length : 1;
-    Object.assign(position, { done, event: Math.max(0, Math.min(Number(place[2] || 0), events - 1)), improved: Boolean(place[3] && run.improved && done === last) });
+    Object.assign(position, { done, event: Math.max(0, Math.min(Number(place[2] || 0), events - 1)), improve: !place[3] || done < last ? 0 : Math.min(moments, place[3] === '.improved' ? moments : Number(place[3].slice(2))) });
+    findStep();
   }
   document.documentElement.classList.toggle('light', matchMedia('(prefers-color-scheme: light)').matches);
   readColours();

@@ -28,7 +28,11 @@ Result<RecordedRun> recordRun(const MeshingJob &job, const RunPagePlan &plan, co
     MeshingJob shown = job;
     shown.options.order = ElementOrder::First; // the page shows corners only
     Result<MeshStepper> stepper = MeshStepper::create(std::move(shown), progress);
-    return stepper ? recordRun(*stepper, job.options, plan, progress) : stepper.faults();
+    if (!stepper) {
+        return stepper.faults();
+    }
+    stepper->stepImprovement();
+    return recordRun(*stepper, job.options, plan, progress);
 }
 
 Result<RecordedRun> recordRun(MeshStepper &stepper, const MeshingOptions &options, const RunPagePlan &plan,
@@ -57,6 +61,7 @@ Result<RecordedRun> recordRun(MeshStepper &stepper, const MeshingOptions &option
     run.complete = stepper.complete() && stepper.position() == stepper.known();
     run.mesh = stepper.mesh();
     if (run.complete && options.improve != ImproveLevel::None) {
+        run.improvement = recordImprovement(stepper, run.mesh, plan.maxImproveBytes, progress);
         if (!stepper.finish(progress)) {
             return progress.cancelled() ? error("cancelled", "the page was cancelled")
                                         : error("unfinished-run", "the mesh cannot be completed after its front",
@@ -84,8 +89,26 @@ std::string htmlText(const std::string &text) {
     return html;
 }
 
-void writeRun(TextWriter &out, const RecordedRun &steps, const std::string &title, std::uint64_t from,
+void writeRun(TextWriter &out, const RecordedRun &run, const std::string &title, std::uint64_t from,
               const std::vector<bool> &detailed) {
+    writeRunWithoutSteps(out, run, title, from, detailed);
+    writeSteps(out, run.improved ? &run.improvement : nullptr);
+}
+
+void writeSteps(TextWriter &out, const RecordedImprovement *improvement) {
+    if (improvement != nullptr) {
+        out << ",\"moments\":" << improvement->moments() << ",\"total\":" << improvement->total
+            << ",\"unit\":" << improvement->unit << ",\"steps\":[";
+        for (const std::string &step : improvement->steps) {
+            out << (&step == improvement->steps.data() ? "\n" : ",\n") << step;
+        }
+        out << "]}";
+    }
+    out << '}';
+}
+
+void writeRunWithoutSteps(TextWriter &out, const RecordedRun &steps, const std::string &title, std::uint64_t from,
+                          const std::vector<bool> &detailed) {
     RunRecord record(out);
     WordList words;
     out << "{\"title\":" << scriptString(title) << ",\"about\":" << jsonString(aboutText(steps.options))
@@ -115,7 +138,7 @@ void writeRun(TextWriter &out, const RecordedRun &steps, const std::string &titl
     writeShape(out, steps.mesh);
     out << "},\n\"improved\":";
     if (!steps.improved) {
-        out << "null}";
+        out << "null";
         return;
     }
     out << '{';
@@ -126,7 +149,6 @@ void writeRun(TextWriter &out, const RecordedRun &steps, const std::string &titl
     record.edges(*steps.improved);
     out << ",\"elements\":";
     record.triangles(*steps.improved);
-    out << "}}";
 }
 
 } // namespace forefront

@@ -4,8 +4,11 @@
 #include "core/engine/mesher/trace.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/snapshot.hpp"
+#include "core/teaching/page/recorded_improvement.hpp"
 #include "core/teaching/page/run_page.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,9 +21,13 @@ struct RecordedRun {
     Mesh start;                          ///< before the first advance
     std::vector<FrontSegmentView> front; ///< before the first advance
     std::vector<std::shared_ptr<const AdvanceExplanation>> advances;
-    Mesh mesh;                    ///< after the last one, not improved
-    bool complete = false;        ///< they end with the run
-    std::optional<Mesh> improved; ///< the finished mesh, if the run is complete and improves it
+    Mesh mesh;                         ///< after the last one, not improved
+    bool complete = false;             ///< they end with the run
+    std::optional<Mesh> improved;      ///< the finished mesh, if the run is complete and improves it
+    RecordedImprovement improvement{}; ///< the steps that lead to it
+
+    /// Returns the number of moments after the front, the last of which shows the improved mesh.
+    std::size_t improveMoments() const { return improved ? improvement.moments() : 0; }
 };
 
 /// Runs a job and keeps its steps. Faults: those of writeRunPage().
@@ -34,6 +41,11 @@ Result<RecordedRun> recordRun(MeshStepper &stepper, const MeshingOptions &option
 /// alone; empty: those of all.
 void writeRun(TextWriter &out, const RecordedRun &run, const std::string &title, std::uint64_t from,
               const std::vector<bool> &detailed = {});
+/// Does the same in two parts: all but the steps of the improvement, and these with the end of the text. `improvement`:
+/// null if the run is not improved.
+void writeRunWithoutSteps(TextWriter &out, const RecordedRun &run, const std::string &title, std::uint64_t from,
+                          const std::vector<bool> &detailed = {});
+void writeSteps(TextWriter &out, const RecordedImprovement *improvement);
 
 /// Returns text as a JSON string that cannot end the script element that it is in.
 std::string scriptString(const std::string &text);

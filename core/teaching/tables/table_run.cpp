@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <numbers>
 
 namespace forefront {
@@ -211,6 +212,28 @@ Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid
     }
     fillEfficiencies(figures.grids);
     return figures;
+}
+
+void addEarlierGrids(RowFigures &row, const RowFigures &earlier) {
+    if (row.hash != earlier.hash) {
+        return;
+    }
+    for (const GridFigures &grid : earlier.grids) {
+        if (std::none_of(row.grids.begin(), row.grids.end(),
+                         [&](const GridFigures &g) { return g.grid == grid.grid; })) {
+            row.grids.push_back(grid);
+        }
+    }
+    const auto order = [](const GridFigures &figures) {
+        const std::optional<TableGrid> grid = parseTableGrid(figures.grid);
+        return !grid                             ? std::int64_t{-1}
+               : grid->kind == GridKind::None    ? 0
+               : grid->kind == GridKind::Uniform ? std::int64_t{grid->columns} * grid->rows
+                                                 : std::numeric_limits<std::int64_t>::max();
+    };
+    std::stable_sort(row.grids.begin(), row.grids.end(),
+                     [&order](const GridFigures &a, const GridFigures &b) { return order(a) < order(b); });
+    fillEfficiencies(row.grids);
 }
 
 } // namespace forefront

@@ -62,4 +62,9 @@ struct RowFigures {
 Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid> &grids,
                                const Progress &progress = {});
 
+/// Adds the grids of an earlier run of a row to those of a later one, in the order of the tables: none, fixed grids by
+/// their number of cells, hierarchical. A grid of both has its figures of the later run; a run whose mesh differs from
+/// that of the later one adds nothing.
+void addEarlierGrids(RowFigures &row, const RowFigures &earlier);
+
 } // namespace forefront

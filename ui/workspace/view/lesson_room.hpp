@@ -24,6 +24,7 @@ struct LessonEntry {
     std::string id; ///< name of its file without extension, or the path of a user's file; key of its progress
     std::filesystem::path file;
     std::shared_ptr<const Lesson> lesson;
+    std::size_t textHash = 0; ///< of its file
 };
 
 /// The lesson being read, its page and the answers given there.
@@ -45,6 +46,7 @@ struct OpenLesson {
     int framesToReveal = 0;            ///< frames in which outlined widgets still scroll into view
     std::set<std::size_t> checked{};   ///< pages whose references have been checked
     std::uint64_t revision = 0;        ///< of the document, when the page was shown
+    std::uint64_t runRevision = 0;     ///< the same, as RunControl::shownRevision() counts them
     std::shared_ptr<const Document> document;
     std::shared_ptr<const SessionSnapshot> arrived; ///< the run at the position of the page; null: not yet
     std::shared_ptr<const SessionSnapshot> done;    ///< the run in which the task was done; null: not yet
@@ -65,14 +67,21 @@ struct KeptDrawing {
     bool dirty = false;
 };
 
+/// The answers of the learner to a lesson since the program started.
+struct LearnerAnswers {
+    LessonAnswers given;
+    LessonEntry lesson; ///< that they belong to
+    bool saved = true;  ///< as a file
+};
+
 /// The pane of lessons: the list of lessons, or the one being read.
 struct LessonRoom {
     bool visible = false;
     bool listed = false; ///< the lessons have been read
     std::vector<LessonEntry> list;
     std::optional<OpenLesson> open;
-    std::optional<KeptDrawing> kept;              ///< comes back when the lesson is closed
-    std::map<std::string, LessonAnswers> answers; ///< given since the program started, by id of the lesson
+    std::optional<KeptDrawing> kept;               ///< comes back when the lesson is closed
+    std::map<std::string, LearnerAnswers> answers; ///< by id of the lesson
     std::uint64_t drawingLoaded = 0; ///< DocumentStore::loads() of the last drawing that a lesson brought; 0: none
 };
 
