@@ -64,6 +64,10 @@ void Editor::Parts::takeResults(bool cancels) {
         context.run.refresh();
     }
     drewNews = before != context.run.snapshot() || newsSeconds > 0.0;
+    if (const std::filesystem::path *const next = nextInTab(context); next != nullptr && reopening) {
+        unproven.push_back(next->string());
+        rememberSettings();
+    }
     followTabs(context);
     if (recovery) {
         recovery->follow(context);
@@ -272,9 +276,11 @@ void Editor::Parts::rememberSettings() {
         return;
     }
     Settings settings = settingsToSave(context);
-    if (reopening) { // a project that ends the program must not do so at every start
-        settings.lastFile.clear();
-        settings.openFiles.clear();
+    for (const std::string &file : unproven) {
+        std::erase(settings.openFiles, file);
+        if (settings.lastFile == file) {
+            settings.lastFile.clear();
+        }
     }
     if (savedSettings != settings) {
         saveSettings(options.settingsFolder / "settings.json", settings);
