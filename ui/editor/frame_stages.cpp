@@ -123,12 +123,6 @@ bool asksInDialog(const Shell &context) {
            (context.dialogs.any() && dynamic_cast<const PreviewDialog *>(context.dialogs.top()) == nullptr);
 }
 
-/// Returns true while a drawing is shown that the user has not accepted yet, at a scale that may be wrong.
-bool offersDrawing(const Shell &context) {
-    const auto *const dialog = dynamic_cast<const PreviewDialog *>(context.dialogs.top());
-    return dialog != nullptr && !dialog->inOptionsBar();
-}
-
 void Editor::Parts::followDocument() {
     const bool previewed = context.preview->revision == context.document.revision();
     const bool gestureOver = previewed && !ImGui::IsAnyMouseDown() && !offersDrawing(context);
@@ -219,7 +213,7 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
 
 void Editor::Parts::buildInterface() {
     const shell::Layout layout = shell::layOut(context);
-    if (context.view.resize(layout.canvas, shell::freeRoom(context, layout.canvas))) {
+    if (context.view.resize(layout.canvas, shell::freeRoom(context, layout.open))) {
         context.animate();
     }
     if (context.view.fitPending && frames >= 1) {

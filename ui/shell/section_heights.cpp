@@ -38,8 +38,10 @@ void growTogether(const std::vector<Section> &sections, std::vector<std::size_t>
 
 std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionMeasures &measures, float height) {
     float spare = spareOf(sections, measures, height);
-    for (auto section = sections.rbegin(); spare < 0.0F && section != sections.rend(); ++section) {
+    auto open = std::count_if(sections.begin(), sections.end(), [](const Section &section) { return section.open; });
+    for (auto section = sections.rbegin(); spare < 0.0F && section != sections.rend() && open > 1; ++section) {
         if (section->open && !section->keepsOpen) {
+            --open;
             section->open = false;
             spare = spareOf(sections, measures, height);
         }

@@ -18,10 +18,10 @@ struct SectionMeasures {
     float lowest = 0.0F;              ///< an open section shows at least this much of its content
 };
 
-/// Folds the lower sections for which a column of this height has no room, except those that stay open, and divides
-/// the height among the open ones: those that come first and low ones get what they need, the others share the rest.
-/// Returns the heights of their contents, 0 for folded ones. If the lowest heights do not fit, the sum exceeds the
-/// height.
+/// Folds the lower sections for which a column of this height has no room, except those that stay open and the last one
+/// that is left, and divides the height among the open ones: those that come first and low ones get what they need, the
+/// others share the rest. Returns the heights of their contents, 0 for folded ones. If the lowest heights do not fit,
+/// the sum exceeds the height.
 std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionMeasures &measures, float height);
 
 } // namespace forefront::shell

@@ -167,9 +167,11 @@ void goToPart(Workspace &context, const MeshPick &pick) {
     constexpr double kShare = 0.15; // of the canvas that the part takes up
     const double extent = box.diagonal();
     if (extent > 0.0) {
-        const double zoom = kShare * std::min(view.camera.viewport.width, view.camera.viewport.height) / extent;
+        const double zoom = kShare * std::min(view.room.width, view.camera.viewport.height) / extent;
         view.camera.zoom = std::clamp(zoom, view.camera.minZoom, view.camera.maxZoom);
     }
+    // In the middle of what a column over the canvas leaves.
+    view.camera.centre.x -= view.camera.length(view.room.centre().x - view.camera.viewport.centre().x);
     context.animate();
 }
 
