@@ -12,6 +12,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -154,6 +155,35 @@ TEST_CASE("Tabs: views beside the canvas end by themselves when another tab is s
     CHECK(context.sides.size() == 0);
     driver.settle();
     CHECK_FALSE(context.sides.working());
+}
+
+TEST_CASE("Tabs: the journal of one that was closed is removed once it is written") {
+    const testing::TemporaryFolder place;
+    Gate gate;
+    {
+        RecoveryJournal journal(place.path / "slow", [&gate](const Document &document) {
+            gate.pass();
+            return projectText(document);
+        });
+        CHECK(journal.resting());
+        journal.record(std::make_shared<const Document>(triangle()), {});
+        gate.awaitThread();
+        CHECK_FALSE(journal.resting()); // its destructor would wait
+        gate.open();
+        journal.flush();
+        CHECK(journal.resting());
+    }
+    Draughtsman driver({.stateFolder = place.path / "state"});
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('T', kControl);
+    driver.settle();
+    const std::filesystem::path folder = place.path / "state" / "recovery";
+    const auto journals = [&] {
+        return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+    };
+    driver.until([&] { return std::filesystem::exists(folder) && journals() == 1; });
+    driver.context().tabs.close(0, driver.context());
+    driver.until([&] { return journals() == 0; });
 }
 
 TEST_CASE("Tabs: a kill during the question about unsaved drawings loses no project that waits to be opened again") {
