@@ -190,7 +190,7 @@ TEST_CASE("Looks: the finest part of the harbour is not the emptiest one") {
         const Driver::Picture picture = driver.picture();
         const double fine = meanLuminance(driver, picture, {100, 130}, 10),
                      coarse = meanLuminance(driver, picture, {340, 60}, 10);
-        MESSAGE("mean luminance of the fine patch " << fine << ", of the coarse one " << coarse);
+        INFO("mean luminance of the fine patch " << fine << ", of the coarse one " << coarse);
         CHECK((theme == ThemeKind::Dark ? fine >= coarse : fine <= coarse));
     }
 }

@@ -17,8 +17,8 @@ namespace {
 constexpr double kMenuHeight = 40, kOptionsHeight = 36, kTimelineHeight = 78, kStatusHeight = 26;
 constexpr double kTabsHeight = 32;
 constexpr double kLessonWidth = 330;
-constexpr double kNarrow = 800;      ///< width of a window that has no room for the column beside the canvas
-constexpr double kLessonAlone = 700; ///< width of a window that has room for a lesson or the column, not both
+constexpr double kNarrow = 800;          ///< width of a window that has no room for the column beside the canvas
+constexpr double kLessonAlone = kNarrow; ///< width of a window that has room for a lesson or the column, not both
 constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< heights of the comparison table and of a row in it
 constexpr double kRuler = 20;
 constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadable

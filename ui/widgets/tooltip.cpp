@@ -60,7 +60,8 @@ void show(WidgetContext &context, std::string_view text, const PixelRect &widget
     const ImVec2 pad(context.px(kPadX), context.px(kPadY));
     const PixelRect place = placeOf(context, text, widget);
     const WidgetRegistry::Widget *const note = context.widgets.find("fieldnote");
-    if (note != nullptr && note->rect.overlaps(place)) {
+    const WidgetRegistry::Widget *const faulty = context.widgets.find("fieldnote/field");
+    if (note != nullptr && (note->rect.overlaps(place) || (faulty != nullptr && faulty->rect.overlaps(widget)))) {
         return; // what is wrong with a field matters more than what it means
     }
     ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
@@ -121,6 +122,7 @@ void faultNote(WidgetContext &context, std::string_view text, bool fault) {
     list.AddRect(from, to, edge, context.px(4));
     list.AddText({from.x + context.px(kPadX), from.y + context.px(kPadY)}, edge, lines.c_str());
     markRect(context, "fieldnote", place);
+    markRect(context, "fieldnote/field", rectOf(min, max));
 }
 
 void tooltipOver(WidgetContext &context, const PixelRect &rect, std::string_view text) {
