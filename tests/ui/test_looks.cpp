@@ -98,6 +98,7 @@ TEST_CASE("Looks: at twice the scale, Judge shows whole rows of the worst places
         REQUIRE(driver.context().view.flag);
         const Pixel worst = driver.context().view.camera.toPixel(*driver.context().view.flag);
         CHECK(layout.open.contains(worst));
+        CHECK(within(rectOf(driver, "probe/plate/value"), layout.open));
         CHECK((std::fmod(layout.below.height - 2.0 * (32.0 + 4.0), 48.0)) == doctest::Approx(0.0)); // whole rows
     }
     REQUIRE(driver.has("panel/checks"));

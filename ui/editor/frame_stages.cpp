@@ -213,6 +213,7 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
 
 void Editor::Parts::buildInterface() {
     const shell::Layout layout = shell::layOut(context);
+    context.view.open = layout.open;
     if (context.view.resize(layout.canvas, shell::freeRoom(context, layout.open))) {
         context.animate();
     }

@@ -49,6 +49,12 @@ std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionM
     std::vector<float> heights;
     std::transform(sections.begin(), sections.end(), std::back_inserter(heights),
                    [&](const Section &section) { return section.open ? leastOf(section, measures) : 0.0F; });
+    if (spare < 0.0F && open == 1) { // a low column shows less of a single section rather than all of it out of sight
+        constexpr float kShare = 0.5F;
+        for (float &each : heights) {
+            each = std::min(each, std::max(each + spare, kShare * measures.lowest));
+        }
+    }
     for (const bool first : {true, false}) {
         std::vector<std::size_t> growing;
         for (std::size_t k = 0; k < sections.size(); ++k) {
