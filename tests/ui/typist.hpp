@@ -3,6 +3,8 @@
 #include "core/drawing_files/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
 
+#include <doctest/doctest.h>
+
 #include <deque>
 #include <set>
 #include <string>
