@@ -3,6 +3,7 @@
 #include "tests/ui/edit_driver.hpp"
 #include "tests/ui/shot.hpp"
 #include "ui/dialogs/import_dialog.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -147,6 +148,24 @@ TEST_CASE("Screenshots: situations" * doctest::skip()) {
             }
         }
     }
+}
+
+// Not a test; writes the picture of the editor on the first page of the repository, assets/screenshot.png.
+TEST_CASE("Screenshots: the picture of the readme" * doctest::skip()) {
+    const char *const folder = std::getenv("FOREFRONT_SCREENSHOTS");
+    REQUIRE_MESSAGE(folder != nullptr, "set FOREFRONT_SCREENSHOTS to a folder");
+    Driver driver({}, {1440, 900});
+    driver.context().settings.live = true;
+    showSample(driver);
+    driver.workspace(WorkspaceKind::Step);
+    setFolded(driver.context(), "statistics", false);
+    driver.context().run.seek(driver.run().known * 5 / 8);
+    driver.settle();
+    driver.context().view.following = false;
+    driver.context().actions.run("view.fit", driver.context());
+    driver.moveTo({4.0, 890.0});
+    driver.settle();
+    writePicture(driver.picture(), std::filesystem::path(folder) / "screenshot.ppm");
 }
 
 TEST_CASE("Ten situations at twice the scale, and in a window that becomes too small for them") {

@@ -58,6 +58,16 @@ TEST_CASE("Column: without room, the lower sections fold, except those that were
     CHECK(heights[3] >= 84.0F);
 }
 
+TEST_CASE("Column: one section stays open, however low the column is") {
+    std::vector<shell::Section> sections(4, {.keepsOpen = false, .content = 300.0F});
+    const std::vector<float> heights = shell::sectionHeights(sections, kMeasures, 190.0F);
+    CHECK(heights[0] >= 42.0F);
+    CHECK(heights[0] <= 84.0F);
+    CHECK(sections[0].open);
+    CHECK_FALSE(sections[1].open);
+    CHECK_FALSE(sections[3].open);
+}
+
 TEST_CASE("Column: a selected shape can be renamed without scrolling, in a low window too") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

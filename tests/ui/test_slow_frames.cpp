@@ -1,50 +1,11 @@
-#include "tests/ui/typist.hpp"
+#include "tests/ui/slow_entry.hpp"
 
 #include <doctest/doctest.h>
 
-#include <array>
 #include <fstream>
-#include <functional>
-#include <optional>
+#include <string>
 
 namespace forefront::test {
-
-namespace {
-
-using Entry = std::function<void(Typist &)>;
-
-/// Types the same with fast and with slow frames, and expects the same drawing.
-void expectSame(const char *what, const Entry &entry) {
-    CAPTURE(what);
-    Typist fast(false), slow(true);
-    entry(fast);
-    entry(slow);
-    const std::string wanted = fast.drawing();
-    CHECK(slow.drawing() == wanted);
-    CHECK(slow.context().tools.current().id() == std::string(fast.context().tools.current().id()));
-    CHECK(slow.context().dialogs.any() == fast.context().dialogs.any());
-}
-
-void enter(Typist &typist, std::string_view text) {
-    typist.write(text);
-    typist.tap(key::kEnter);
-}
-
-void tabbed(Typist &typist, std::string_view text) {
-    typist.write(text);
-    typist.tap(key::kTab);
-}
-
-/// A rectangle of 6 by 5, drawn with typed numbers.
-void typedRectangle(Typist &typist) {
-    typist.write("r");
-    tabbed(typist, "1");
-    enter(typist, "2");
-    tabbed(typist, "6");
-    enter(typist, "5");
-}
-
-} // namespace
 
 TEST_CASE("Slow frames: shapes drawn with typed numbers") {
     expectSame("rectangle", typedRectangle);
@@ -76,7 +37,7 @@ TEST_CASE("Slow frames: shapes drawn with typed numbers") {
 }
 
 TEST_CASE("Slow frames: the numbers of a shape in its panel") {
-    expectSame("circle", [](Typist &typist) {
+    expectSame("circle in its panel", [](Typist &typist) {
         typist.write("c");
         enter(typist, "5,5");
         enter(typist, "2");
@@ -125,7 +86,9 @@ TEST_CASE("Slow frames: fields of the spacing, parameters and tool options") {
         tabbed(typist, "0.5");
         tabbed(typist, "0.2+0.1*x");
         tabbed(typist, "0.125");
-        enter(typist, "2");
+        tabbed(typist, "2");
+        tabbed(typist, "0.3");
+        enter(typist, "40");
     });
     expectSame("parameters", [](Typist &typist) {
         typist.showPanel("parameters");
@@ -180,7 +143,7 @@ TEST_CASE("Slow frames: names, sizes and commands that open a field") {
         typist.write("v");
         typist.tap('P', kControl);
         enter(typist, "linear array");
-        enter(typist, "3");
+        enter(typist, "4");
         typist.write("r");
     });
 }
@@ -332,6 +295,7 @@ TEST_CASE("Slow frames: options of an import") {
         typist.tap('I', kControl);
         typist.finish();
         typist.chooseFile("import", place.path / "box.svg");
+        typeOver(typist, "dialog/importoptions/weld", "0.01");
         typist.touch("dialog/importoptions/scale");
         enter(typist, "2");
         typist.tap(key::kEnter);
@@ -341,40 +305,26 @@ TEST_CASE("Slow frames: options of an import") {
 }
 
 TEST_CASE("Slow frames: sizes of new drawings in the preferences") {
-    const auto sizes = [](bool slow) {
-        Typist typist(slow);
-        typist.context().actions.run("edit.preferences", typist.context());
-        typist.settle();
-        typist.touch("dialog/preferences/page/New drawings");
-        typist.touch("dialog/preferences/new/size");
-        tabbed(typist, "0.25");
-        tabbed(typist, "0.1");
-        tabbed(typist, "40");
-        enter(typist, "3");
-        typist.finish();
-        const Settings &settings = typist.context().settings;
-        return std::array{settings.newSize, settings.newGradation, settings.newPerTurn, settings.newAcross};
-    };
-    const std::array<std::optional<double>, 4> wanted{0.25, 0.1, 40.0, 3.0};
-    CHECK(sizes(false) == wanted);
-    CHECK(sizes(true) == wanted);
-}
-
-TEST_CASE("Slow frames: the dialog for the file name") {
-    const TemporaryFolder place;
-    for (const bool slow : {false, true}) {
-        CAPTURE(slow);
-        Typist typist(slow);
-        typedRectangle(typist);
-        typist.tap('S', {Modifiers::kControl | Modifiers::kShift});
-        typist.tap('A', kControl);
-        enter(typist, (place.path / (slow ? "b" : "a")).string());
-        typist.write("c");
-        typist.finish();
-        CHECK(std::filesystem::exists(place.path / (slow ? "b.forefront" : "a.forefront")));
-        CHECK_FALSE(typist.context().dialogs.any());
-        CHECK(typist.context().tools.current().id() == std::string("circle"));
-    }
+    expectSame(
+        "sizes of new drawings",
+        [](Typist &typist) {
+            typist.context().actions.run("edit.preferences", typist.context());
+            typist.settle();
+            typist.touch("dialog/preferences/page/New drawings");
+            typist.touch("dialog/preferences/new/size");
+            tabbed(typist, "0.25");
+            tabbed(typist, "0.1");
+            tabbed(typist, "40");
+            enter(typist, "3");
+        },
+        [](Typist &typist) {
+            const Settings &settings = typist.context().settings;
+            CHECK(settings.newSize == 0.25);
+            CHECK(settings.newGradation == 0.1);
+            CHECK(settings.newPerTurn == 40.0);
+            CHECK(settings.newAcross == 3.0);
+            return std::string();
+        });
 }
 
 TEST_CASE("Slow frames: a field takes all that has been typed since the last frame") {

@@ -3,7 +3,10 @@
 #include "core/drawing_files/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
 
+#include <doctest/doctest.h>
+
 #include <deque>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,36 +55,73 @@ class Typist : public Draughtsman {
         }
     }
     /// Clicks a widget that is on the screen when all that was typed has had its effect, and types on at once.
-    void touch(std::string_view widget) {
+    void touch(std::string_view widget, int clicks = 1) {
         finish();
         const WidgetRegistry::Widget *const found = context().widgets.find(widget);
         const std::string name(widget);
         REQUIRE_MESSAGE(found != nullptr, name);
         const Pixel at = found->rect.centre();
         add({.kind = InputKind::MouseMove, .x = at.x, .y = at.y}, 0.0);
-        add({.kind = InputKind::MouseButton, .pressed = true}, 0.0);
-        add({.kind = InputKind::MouseButton}, 0.04);
+        for (int k = 0; k < clicks; ++k) {
+            add({.kind = InputKind::MouseButton, .pressed = true}, k == 0 ? 0.0 : 0.06);
+            add({.kind = InputKind::MouseButton}, 0.04);
+        }
         rest();
     }
     /// Waits until all that was typed has had its effect.
     void finish() {
+        deliver();
+        settle();
+    }
+    /// Waits until all that was typed has been taken.
+    void deliver() {
         while (!typed_.empty() || !editor().input().empty()) {
             while (!typed_.empty() && typed_.front().first <= platform().now()) {
                 editor().input().push(typed_.front().second);
                 typed_.pop_front();
             }
             frames(1);
+            noteField();
         }
-        settle();
     }
+    /// Presses the button at a place of the canvas, and moves the pointer by some pixels.
+    void grab(Vec2 place, Pixel by) {
+        finish();
+        const Pixel from = pixel(place);
+        add({.kind = InputKind::MouseMove, .x = from.x, .y = from.y}, 0.0);
+        add({.kind = InputKind::MouseButton, .pressed = true}, 0.0);
+        held_ = from + by;
+        add({.kind = InputKind::MouseMove, .x = held_.x, .y = held_.y}, 0.04);
+        if (!slow_) {
+            deliver(); // what follows the pointer may be drawn in every frame
+        }
+    }
+    /// Releases the button.
+    void drop() {
+        add({.kind = InputKind::MouseMove, .x = held_.x, .y = held_.y}, 0.0);
+        add({.kind = InputKind::MouseButton}, 0.04);
+        rest();
+    }
+    /// Returns the fields that were typed into so far.
+    const std::set<std::string> &fields() const { return fields_; }
+    bool slow() const { return slow_; }
     std::string drawing() {
         finish();
         return projectText(document());
     }
 
   private:
+    void noteField() {
+        const FieldFocus &focus = context().widgets.fields;
+        if (!focus.entry && !focus.focused().empty()) {
+            fields_.insert(focus.focused()); // one that commits every character
+        } else if (focus.entry && focus.entry->text != focus.entry->initial) {
+            fields_.insert(focus.entry->name);
+        }
+    }
     void add(InputEvent event, double after) {
         clock_ = std::max(clock_, platform().now()) + after;
+        event.time = clock_;
         typed_.emplace_back(clock_, std::move(event));
     }
     void rest() {
@@ -92,6 +132,8 @@ class Typist : public Draughtsman {
 
     bool slow_;
     double clock_ = 0.0;
+    Pixel held_{};
+    std::set<std::string> fields_;
     std::deque<std::pair<double, InputEvent>> typed_; ///< with the time when they are typed
 };
 

@@ -106,6 +106,7 @@ class FileDialog : public Dialog {
     bool drawBottom(Shell &context);
     void drawName(Shell &context, bool &wanted);
     void drawPresets(Shell &context);
+    const FilePreset *chosenPreset() const;
     void drawNote(Shell &context);
     /// Switches to another filter, and a suggested name to its extension.
     void useFilter(std::size_t filter);
@@ -145,6 +146,7 @@ class FileDialog : public Dialog {
     bool entered_ = false; ///< Enter was pressed in this frame, outside all fields
     bool browses_ = true;  ///< shows the folders and files; at first not if there are presets, which come first
     int presetRows_ = 1;   ///< rows of their buttons in the last frame
+    std::string preset_;   ///< id of the one that was pressed last
     bool newFolder_ = false;
     std::string newFolderName_;
     std::string typed_;     ///< beginning of a name, see typeAhead()

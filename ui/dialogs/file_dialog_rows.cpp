@@ -43,18 +43,38 @@ float FileDialog::bottomHeight(const Shell &context) const {
     return context.px(kPlain + lines * kLine) + more;
 }
 
-/// Draws the buttons of the presets; the one whose filter is chosen is highlighted.
+/// Returns the preset of the chosen filter: that which was pressed, if several share the filter; else one for files
+/// with the same extension. Null if there is none.
+const FilePreset *FileDialog::chosenPreset() const {
+    const auto filterOf = [this](const FilePreset &preset) {
+        return std::find_if(request_.filters.begin(), request_.filters.end(),
+                            [&](const FileFilter &each) { return each.id == preset.filter; });
+    };
+    const FilePreset *same = nullptr, *similar = nullptr;
+    for (const FilePreset &preset : request_.presets) {
+        if (preset.filter == filter().id && (same == nullptr || preset.id == preset_)) {
+            same = &preset;
+        }
+        if (const auto its = filterOf(preset); similar == nullptr && its != request_.filters.end() &&
+                                               !its->extensions.empty() && its->extensions == filter().extensions) {
+            similar = &preset;
+        }
+    }
+    return same != nullptr ? same : similar;
+}
+
+/// Draws the buttons of the presets; the chosen one is filled.
 void FileDialog::drawPresets(Shell &context) {
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "For");
     ImGui::SameLine(context.px(72));
     ImGui::BeginGroup(); // further rows begin below the first button
     ui::Flow flow(context, ImGui::GetContentRegionAvail().x, context.px(6));
+    const FilePreset *const chosen = chosenPreset();
     for (const FilePreset &preset : request_.presets) {
         flow.item(preset.id.c_str());
-        const bool here = preset.filter == filter().id;
-        if (ui::button(context, widget("preset/") + preset.id, preset.label,
-                       here ? ui::ButtonKind::Primary : ui::ButtonKind::Plain)) {
+        if (ui::chip(context, widget("preset/") + preset.id, preset.label, &preset == chosen)) {
+            preset_ = preset.id;
             const auto wanted = std::find_if(request_.filters.begin(), request_.filters.end(),
                                              [&](const FileFilter &f) { return f.id == preset.filter; });
             useFilter(static_cast<std::size_t>(wanted - request_.filters.begin()));

@@ -309,8 +309,8 @@ void ImportDialog::drawUnit(Shell &context) {
                   {"inch", "inch to mm", 25.4},
                   {"point", "px to mm", 25.4 / 96.0}};
     for (const auto &choice : common) {
-        if (ui::button(context, std::string("dialog/importoptions/") + choice.id, choice.label,
-                       scale_ == choice.factor ? ui::ButtonKind::Primary : ui::ButtonKind::Plain)) {
+        if (ui::chip(context, std::string("dialog/importoptions/") + choice.id, choice.label,
+                     scale_ == choice.factor)) {
             scale_ = choice.factor;
         }
         ImGui::SameLine();
@@ -470,6 +470,11 @@ void ImportDialog::drawReport(Shell &context) const {
 
 bool ImportDialog::draw(Shell &context) {
     const bool enter = ui::enterOutsideFields(); // in a field, it only accepts the number
+    // In a low window the questions are scrolled; the buttons stay in sight.
+    constexpr double kFoot = 48.0, kMargin = 88.0, kLeast = 80.0; // design pixels; around the dialog, see DialogHost
+    const float room = ImGui::GetIO().DisplaySize.y - context.px(kFoot + kMargin) - ImGui::GetCursorPosY();
+    ImGui::BeginChild("questions", {0, std::min(questions_, std::max(context.px(kLeast), room))}, false,
+                      ImGuiWindowFlags_NoNav);
     drawSizes(context);
     ImGui::Dummy({0, context.px(6)});
     drawUnit(context);
@@ -478,7 +483,12 @@ bool ImportDialog::draw(Shell &context) {
     drawJoining(context);
     preview(context);
     drawReport(context);
-    ImGui::Dummy({0, context.px(8)});
+    if (const float height = ImGui::GetCursorPosY(); height != questions_) {
+        questions_ = height;
+        context.animate();
+    }
+    ImGui::EndChild();
+    ImGui::Dummy({0, context.px(4)});
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(258));
     if (ui::button(context, "dialog/importoptions/cancel", "Cancel", ui::ButtonKind::Plain, true, 124.0F)) {
         dismiss(context);

@@ -70,6 +70,7 @@ class ImportDialog final : public PreviewDialog {
     Diagnostics insertionNotes_; ///< of the preview
     int shownReads_ = 0;         ///< reads_ and scale_ of the preview
     double shownScale_ = 0.0;
+    float questions_ = 200.0F; ///< height of all between title and buttons in the last frame
 };
 
 } // namespace forefront

@@ -136,8 +136,7 @@ void PictureSpacingDialog::drawPlaces(Shell &context) {
     const double columns = static_cast<double>(picture_.pixelColumns);
     const double rows = static_cast<double>(picture_.pixelRows);
     const auto place = [&](const char *name, const char *label, const Box2 &box, const char *tip) {
-        if (ui::button(context, std::string("dialog/picturespacing/") + name, label,
-                       sizes_.box == box ? ui::ButtonKind::Primary : ui::ButtonKind::Plain)) {
+        if (ui::chip(context, std::string("dialog/picturespacing/") + name, label, sizes_.box == box)) {
             sizes_.box = box;
         }
         ui::tooltip(context, tip);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
@@ -172,6 +173,22 @@ void Recovery::record(std::uint64_t tab, Now now) {
     }
 }
 
+/// Removes the journals of tabs that are not open. One that is being written is removed later, since its destructor
+/// would wait for it.
+void Recovery::close(const std::set<std::uint64_t> &open) {
+    for (auto each = journals_.begin(); each != journals_.end();) {
+        const auto next = std::next(each);
+        if (!open.contains(each->first)) {
+            if (!each->second.journal.resting()) {
+                each->second.journal.recordSaved();
+            }
+            closed_.push_back(journals_.extract(each));
+        }
+        each = next;
+    }
+    std::erase_if(closed_, [](const Journals::node_type &node) { return node.mapped().journal.resting(); });
+}
+
 void Recovery::follow(Shell &context) {
     std::set<std::uint64_t> open;
     for (std::size_t tab = 0; tab < context.tabs.size(); ++tab) {
@@ -179,7 +196,7 @@ void Recovery::follow(Shell &context) {
         open.insert(id);
         record(id, documentOf(context, tab));
     }
-    std::erase_if(journals_, [&](const auto &each) { return !open.contains(each.first); });
+    close(open);
     for (auto &[id, journalled] : journals_) {
         context.log.add(journalled.journal.takeFaults());
     }

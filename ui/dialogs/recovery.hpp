@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,13 +66,16 @@ class Recovery {
     };
     static Now documentOf(const Shell &context, std::size_t tab);
     void record(std::uint64_t tab, Now now);
+    void close(const std::set<std::uint64_t> &open);
     void makeRoom(const OrphanedJournal &journal, Shell &context);
     std::size_t collect(Shell &context);
     void lookAgain(Shell &context);
     void publish(Shell &context);
 
     std::filesystem::path folder_;
-    std::map<std::uint64_t, Journalled> journals_; ///< by the id of the tab, once its document was changed
+    using Journals = std::map<std::uint64_t, Journalled>;
+    Journals journals_;                       ///< by the id of the tab, once its document was changed
+    std::vector<Journals::node_type> closed_; ///< of tabs that were closed, until they are written and removed
     std::vector<Orphan> orphans_;
     double nextLook_ = 0.0, lastLook_ = 0.0; ///< for journals that were locked at the start, seconds
 };

@@ -221,10 +221,15 @@ void afterAllUnsaved(Shell &context, const std::function<void(Shell &)> &then) {
     askFrom(context, 0, then);
 }
 
+const std::filesystem::path *nextInTab(const Shell &context) {
+    const bool opens = !context.tabs.waiting.empty() && !context.task.busy() && !context.task.ready() &&
+                       !context.dialogs.any() && !ImGui::IsAnyMouseDown();
+    return opens ? &context.tabs.waiting.front() : nullptr;
+}
+
 void followTabs(Shell &context) {
     context.tabs.limitMemory(context);
-    if (context.tabs.waiting.empty() || context.task.busy() || context.task.ready() || context.dialogs.any() ||
-        ImGui::IsAnyMouseDown()) {
+    if (nextInTab(context) == nullptr) {
         return;
     }
     const std::filesystem::path next = std::move(context.tabs.waiting.front());

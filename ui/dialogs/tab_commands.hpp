@@ -37,6 +37,8 @@ std::optional<std::size_t> tabOfLesson(const Shell &context);
 void closeTab(Shell &context, std::size_t tab);
 /// Runs `then` after asking whether to save the unsaved changes of each tab in turn.
 void afterAllUnsaved(Shell &context, const std::function<void(Shell &)> &then);
+/// Returns the file that followTabs() would open now; null: none waits, or none can be opened yet.
+const std::filesystem::path *nextInTab(const Shell &context);
 /// Opens the files that wait for it, and limits the memory of tabs in the background. Called once per frame.
 void followTabs(Shell &context);
 /// Registers the actions of tabs.

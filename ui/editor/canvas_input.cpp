@@ -87,13 +87,12 @@ void CanvasInput::move(const InputEvent &event, Shell &context) {
 }
 
 int CanvasInput::countClicks(const InputEvent &event, Shell &context) {
-    const double now = context.platform.now();
+    const double arrived = event.arrival(context.platform.now());
     const bool again =
-        now - clickTime_ < 0.35 && glm::distance(pixel_, clickPixel_) < 4.0 * static_cast<double>(context.scale);
+        arrived - clickTime_ < 0.35 && glm::distance(pixel_, clickPixel_) < 4.0 * static_cast<double>(context.scale);
     clicks_ = again ? clicks_ + 1 : 1;
-    clickTime_ = now;
+    clickTime_ = arrived;
     clickPixel_ = pixel_;
-    static_cast<void>(event);
     return clicks_;
 }
 

@@ -124,10 +124,11 @@ Editor::Editor(Platform &platform, EditorSetup options)
         c.tabs.waiting.assign(parts_->options.others.begin(), parts_->options.others.end());
     } else if (const std::vector<std::string> last = reopened(c.settings); parts_->options.reopens && !last.empty()) {
         c.settings.lastFile.clear();
+        c.tabs.waiting.assign(last.begin() + 1, last.end());
         parts_->reopening = true;
+        parts_->unproven = {last.front()};
         parts_->rememberSettings();
         openDocument(c, last.front());
-        c.tabs.waiting.assign(last.begin() + 1, last.end());
     } else if (parts_->options.sample) {
         openFirstSample(c);
     }
@@ -144,7 +145,7 @@ Editor::~Editor() {
         parts_->context.settings.window = place;
     }
     rememberView(parts_->context);
-    parts_->reopening = false;
+    parts_->unproven.clear();
     parts_->rememberSettings();
 }
 
@@ -277,7 +278,10 @@ void Editor::frame() {
     c.platform.present();
     p.recordFrame(begin, cancelling, busy);
     p.showTitle();
-    p.reopening = p.reopening && !(settled() && c.tabs.waiting.empty());
+    if (p.reopening && settled()) {
+        p.unproven.clear();
+        p.reopening = !c.tabs.waiting.empty(); // such as while a dialog is open at the start
+    }
     if (!ImGui::IsAnyItemActive()) {
         p.rememberSettings();
     }

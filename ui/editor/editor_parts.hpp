@@ -34,7 +34,10 @@ struct Editor::Parts {
     ScriptRecording recording;
     std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
     Settings savedSettings;
-    bool reopening = false; ///< the last project is being opened and shown; not yet in the saved settings
+    bool reopening = false; ///< the last projects are being opened and shown, one after the other
+    /// Those of them that were opened and are not shown at rest yet. They are left out of the saved settings: one that
+    /// ends the program must not do so at every start.
+    std::vector<std::string> unproven;
     std::string shownTitle;
     double lastFrame = 0.0;
     std::uint64_t frames = 0;

@@ -64,6 +64,10 @@ void Editor::Parts::takeResults(bool cancels) {
         context.run.refresh();
     }
     drewNews = before != context.run.snapshot() || newsSeconds > 0.0;
+    if (const std::filesystem::path *const next = nextInTab(context); next != nullptr && reopening) {
+        unproven.push_back(next->string());
+        rememberSettings();
+    }
     followTabs(context);
     if (recovery) {
         recovery->follow(context);
@@ -117,12 +121,6 @@ void Editor::Parts::dropFlag() {
 bool asksInDialog(const Shell &context) {
     return context.dialogs.opening() ||
            (context.dialogs.any() && dynamic_cast<const PreviewDialog *>(context.dialogs.top()) == nullptr);
-}
-
-/// Returns true while a drawing is shown that the user has not accepted yet, at a scale that may be wrong.
-bool offersDrawing(const Shell &context) {
-    const auto *const dialog = dynamic_cast<const PreviewDialog *>(context.dialogs.top());
-    return dialog != nullptr && !dialog->inOptionsBar();
 }
 
 void Editor::Parts::followDocument() {
@@ -215,7 +213,8 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
 
 void Editor::Parts::buildInterface() {
     const shell::Layout layout = shell::layOut(context);
-    if (context.view.resize(layout.canvas, shell::freeRoom(context, layout.canvas))) {
+    context.view.open = layout.open;
+    if (context.view.resize(layout.canvas, shell::freeRoom(context, layout.open))) {
         context.animate();
     }
     if (context.view.fitPending && frames >= 1) {
@@ -272,9 +271,11 @@ void Editor::Parts::rememberSettings() {
         return;
     }
     Settings settings = settingsToSave(context);
-    if (reopening) { // a project that ends the program must not do so at every start
-        settings.lastFile.clear();
-        settings.openFiles.clear();
+    for (const std::string &file : unproven) {
+        std::erase(settings.openFiles, file);
+        if (settings.lastFile == file) {
+            settings.lastFile.clear();
+        }
     }
     if (savedSettings != settings) {
         saveSettings(options.settingsFolder / "settings.json", settings);

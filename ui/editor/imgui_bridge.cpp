@@ -83,6 +83,13 @@ void ImGuiBridge::feed(const InputEvent &event) {
     case InputKind::MouseButton:
         if (event.code >= 0 && event.code < 5) {
             io.MouseDown[event.code] = event.pressed;
+            if (event.pressed) { // Dear ImGui only knows when frames take the clicks, which may be long after
+                constexpr float kDoubleClick = 0.3F, kAnyTime = 1e9F; // seconds
+                const double arrived = event.arrival(platform_.now());
+                const bool again = arrived - pressedAt_ < static_cast<double>(kDoubleClick);
+                io.MouseDoubleClickTime = again ? kAnyTime : kDoubleClick;
+                pressedAt_ = arrived;
+            }
         }
         break;
     case InputKind::Scroll:

@@ -32,6 +32,7 @@ class ImGuiBridge {
 
     Platform &platform_;
     ImGuiContext *context_;
+    double pressedAt_ = -1.0; ///< when a button was pressed last
 };
 
 } // namespace forefront

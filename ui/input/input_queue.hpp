@@ -31,6 +31,10 @@ struct InputEvent {
     bool repeated = false;
     Modifiers modifiers;
     std::vector<std::string> paths;
+    double time = 0.0; ///< of a button: when it arrived, in seconds of Platform::now(); 0: in the frame that takes it
+
+    /// Returns when the event arrived. With slow frames, that is before `now`, the time of the frame that takes it.
+    double arrival(double now) const { return time > 0.0 ? time : now; }
 };
 
 /// Returns true if a key only writes a character, which a field that is being edited takes as text.

@@ -21,7 +21,7 @@ namespace {
 
 /// Width of the field of a limit, and the column of its verdict; design pixels.
 constexpr float kField = 52.0F;
-constexpr double kLimitLabel = 152.0, kVerdict = 210.0;
+constexpr double kLimitLabel = 160.0, kVerdict = 218.0;
 
 void drawIcon(const char *symbol, Colour colour) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);

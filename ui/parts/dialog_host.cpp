@@ -85,6 +85,11 @@ bool drawTitleRow(WidgetContext &context, const Dialog &dialog, const std::strin
 
 } // namespace
 
+bool offersDrawing(const Shell &context) {
+    const auto *const dialog = dynamic_cast<const PreviewDialog *>(context.dialogs.top());
+    return dialog != nullptr && !dialog->inOptionsBar();
+}
+
 void DialogHost::closeAll() {
     stack_.clear();
     opening_.clear();

@@ -109,6 +109,7 @@ void DocumentTabs::close(std::size_t tab, Shell &context) {
         context.settings.lastFile == std::filesystem::absolute(file, ignored).lexically_normal().string()) {
         context.settings.lastFile.clear(); // a document that was closed does not come back at the next start
     }
+    context.run.drop(std::move(tabs_[tab].left->run));
     tabs_.erase(tabs_.begin() + static_cast<std::ptrdiff_t>(tab));
     active_ -= tab < active_ ? 1 : 0;
     context.animate();
@@ -129,7 +130,7 @@ void DocumentTabs::limitMemory(Shell &context, std::size_t most) {
         if (elements <= most || oldest == nullptr) {
             return;
         }
-        oldest->run = context.run.withoutMesh(*oldest->run);
+        context.run.drop(std::exchange(oldest->run, context.run.withoutMesh(*oldest->run)));
     }
 }
 

@@ -14,4 +14,7 @@ class PreviewDialog : public Dialog {
     virtual void dismiss(Shell &context) = 0;
 };
 
+/// Returns true while a drawing is shown that the user has not accepted yet, at a scale that may be wrong.
+bool offersDrawing(const Shell &context);
+
 } // namespace forefront

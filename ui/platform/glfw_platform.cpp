@@ -90,7 +90,8 @@ struct GlfwPlatform::Callbacks {
             queue(window).push({.kind = InputKind::MouseButton,
                                 .code = code,
                                 .pressed = action == GLFW_PRESS,
-                                .modifiers = modifiersOf(modifiers)});
+                                .modifiers = modifiersOf(modifiers),
+                                .time = glfwGetTime()});
         }
     }
     static void scroll(GLFWwindow *window, double x, double y) {

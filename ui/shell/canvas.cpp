@@ -12,6 +12,7 @@
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/mesh_batch.hpp"
 #include "ui/gl/still_picture.hpp"
+#include "ui/parts/preview_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/platform/steady_seconds.hpp"
@@ -26,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace forefront {
 
@@ -67,6 +69,11 @@ PictureContent contentOf(const LayerFrame &frame, std::uint64_t loads, const Ove
         heavy.add(isHeavy(frame, slot) ? slot.layer->stillShape(frame) : 0);
     }
     return {.all = all.value(), .heavy = heavy.value(), .subject = loads};
+}
+
+/// Returns true if a layer draws over the others. The constraints of a drawing that is only offered would hide it.
+bool drawsOver(const Shell &context, const LayerSlot &slot) {
+    return slot.visible && !(offersDrawing(context) && std::string_view(slot.layer->id()) == "sketch");
 }
 
 } // namespace
@@ -351,7 +358,7 @@ void Canvas::Parts::drawLegends(Shell &context, CanvasPainter &painter, const La
         const int column = drawnSoFar % abreast, row = drawnSoFar / abreast;
         const Pixel corner{rect.x + rect.width - (kLegendMargin + column * (kLegendWidth + kLegendGap)) * s,
                            rect.y + rect.height - (kLegendMargin + row * (kLegendHeight + kLegendGap)) * s};
-        if (slot.visible && slot.layer->drawLegend(painter, frame, corner)) {
+        if (drawsOver(context, slot) && slot.layer->drawLegend(painter, frame, corner)) {
             ++drawnSoFar;
             ui::markRect(
                 context, std::string("canvas/legend/") + slot.layer->id(),
@@ -423,7 +430,7 @@ void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
     }
     painter.setLevel(CanvasPainter::Level::Layers);
     for (LayerSlot &slot : context.layers) {
-        if (slot.visible) {
+        if (drawsOver(context, slot)) {
             slot.layer->drawOverlay(painter, frame);
         }
     }

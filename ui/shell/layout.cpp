@@ -1,4 +1,5 @@
 #include "ui/canvas/legend.hpp"
+#include "ui/parts/preview_dialog.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/run_plot.hpp"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace forefront::shell {
 
@@ -15,14 +17,15 @@ namespace {
 constexpr double kMenuHeight = 40, kOptionsHeight = 36, kTimelineHeight = 78, kStatusHeight = 26;
 constexpr double kTabsHeight = 32;
 constexpr double kLessonWidth = 330;
-constexpr double kNarrow = 800;      ///< width of a window that has no room for the column beside the canvas
-constexpr double kLessonAlone = 700; ///< width of a window that has room for a lesson or the column, not both
+constexpr double kNarrow = 800;          ///< width of a window that has no room for the column beside the canvas
+constexpr double kLessonAlone = kNarrow; ///< width of a window that has room for a lesson or the column, not both
 constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< heights of the comparison table and of a row in it
 constexpr double kRuler = 20;
 constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadable
 
-/// Returns the height of the panel below the canvas; design pixels. `window`: height of the window.
-double belowHeight(const Shell &context, double window) {
+/// Returns the height of the panel below the canvas, with whole rows; design pixels. `window`: height of the window,
+/// `middle`: of the canvas and the panel.
+double belowHeight(const Shell &context, double window, double middle) {
     if (context.settings.workspace != WorkspaceKind::Judge || context.sides.views() > 0) {
         return 0.0;
     }
@@ -30,8 +33,12 @@ double belowHeight(const Shell &context, double window) {
     if (isFolded(context, "worst")) {
         return kHeading;
     }
-    return context.judgement->worst.empty() ? kHeading + kHint
-                                            : std::round(std::clamp(kShare * window, kLowest, kHighest));
+    if (context.judgement->worst.empty()) {
+        return kHeading + kHint;
+    }
+    constexpr double kRow = 24.0, kFoot = 4.0, kTitles = kHeading + kRow + kFoot, kMostOfMiddle = 0.4;
+    const double room = std::min(std::clamp(kShare * window, kLowest, kHighest), kMostOfMiddle * middle);
+    return kTitles + kRow * std::max(1.0, std::floor((room - kTitles) / kRow));
 }
 
 /// Returns the width of the column for a window of this width; design pixels.
@@ -84,15 +91,16 @@ Layout layOut(const Shell &context) {
     const double lessons =
         context.lessons.visible ? std::min(px(kLessonWidth), std::max(0.0, 0.5 * (width - tools - column))) : 0.0;
     layout.lessons = {tools, top, lessons, middle};
-    layout.column = {width - beside, top, beside, middle};
     const double room = std::max(1.0, width - tools - lessons - column);
     const auto views = static_cast<double>(context.sides.views());
     const auto compared = static_cast<double>(context.sides.visible ? context.sides.size() : 0);
     const double canvas = std::max(1.0, std::floor(room / (views + 1.0)));
     const double figures =
         compared > 0.0 ? std::min(px(kFiguresHeight + kFiguresRow * (compared + 1.0)), std::floor(0.4 * middle)) : 0.0;
-    const double under =
-        std::min(px(belowHeight(context, height / static_cast<double>(context.scale))), std::floor(0.4 * middle));
+    const double design = static_cast<double>(context.scale);
+    const double under = std::min(px(belowHeight(context, height / design, middle / design)), std::floor(0.4 * middle));
+    // A column over the canvas leaves the panel below in sight.
+    layout.column = {width - beside, top, beside, floats ? middle - under : middle};
     const double canvasHeight = std::max(1.0, middle - figures - under);
     const double ruler = context.settings.rulers ? px(kRuler) : 0.0, left = tools + lessons;
     layout.canvas = {left + ruler, top + ruler, std::max(1.0, canvas - ruler), std::max(1.0, canvasHeight - ruler)};
@@ -119,13 +127,44 @@ CanvasBands bandsOf(const Shell &context, const PixelRect &canvas) {
             .bottom = kLegendMargin + rows * (kLegendHeight + kLegendGap)};
 }
 
+namespace {
+
+/// Returns the right end of a dialog over the canvas that previews its result there; the left end of the canvas if
+/// there is none, or it leaves little room beside it.
+double previewEnd(const Shell &context, const PixelRect &canvas) {
+    constexpr double kLeastRoom = 0.35;
+    const auto *const preview = dynamic_cast<const PreviewDialog *>(context.dialogs.top());
+    if (preview == nullptr || preview->inOptionsBar()) {
+        return canvas.x;
+    }
+    const WidgetRegistry::Widget *const dialog = context.widgets.find(std::string("dialog/") + preview->id());
+    const double end = dialog == nullptr ? canvas.x : dialog->rect.x + dialog->rect.width;
+    return canvas.x + canvas.width - end >= kLeastRoom * canvas.width ? std::max(canvas.x, end) : canvas.x;
+}
+
+/// Returns the height of a drawing of usual proportions that fits into a room.
+double fittedHeight(const PixelRect &room) {
+    constexpr double kProportion = 1.5;
+    return std::min(room.height, room.width / kProportion);
+}
+
+} // namespace
+
 PixelRect freeRoom(const Shell &context, const PixelRect &canvas) {
     const CanvasBands bands = bandsOf(context, canvas);
     const double scale = static_cast<double>(context.scale);
+    const double left = previewEnd(context, canvas), width = canvas.x + canvas.width - left;
     // On a small canvas the drawing keeps a third of the height, even if plates cover part of it.
     const double top = std::min(bands.top * scale, 0.2 * canvas.height);
     const double bottom = std::min(bands.bottom * scale, 0.45 * canvas.height);
-    return {canvas.x, canvas.y + top, canvas.width, canvas.height - top - bottom};
+    const PixelRect between{left, canvas.y + top, width, canvas.height - top - bottom};
+    // All plates are at the right: a low canvas has more room beside them.
+    constexpr double kLow = 420.0, kLayers = 120.0; // design pixels; the button for the layers with its margin
+    const double margin = kLegendMargin * scale;
+    const double right = std::max(bands.legends, kLayers) * scale;
+    const PixelRect beside{left, canvas.y + margin, width - right, canvas.height - 2.0 * margin};
+    const bool low = canvas.height < kLow * scale;
+    return low && fittedHeight(beside) > fittedHeight(between) ? beside : between;
 }
 
 void beginRegion(const char *name, const PixelRect &rect, Colour background, float padX, float padY) {

@@ -255,7 +255,13 @@ void drawOpen(Shell &context) {
         return;
     }
     ImGui::SameLine();
-    ui::small(context, title);
+    ImGui::PushFont(context.fonts.small);
+    const std::string shown = ui::oneLine(title, ImGui::GetContentRegionAvail().x);
+    ImGui::PopFont();
+    ui::small(context, shown);
+    if (shown != title) {
+        ui::tooltip(context, title);
+    }
     const float footer = context.px(40);
     ImGui::BeginChild("page", {0, ImGui::GetContentRegionAvail().y - footer}, false, ImGuiWindowFlags_NoNav);
     drawPage(context, *context.lessons.open);

@@ -46,7 +46,8 @@ struct CanvasBands {
     double bottom = 0.0;  ///< legends, hints
 };
 CanvasBands bandsOf(const Shell &context, const PixelRect &canvas);
-/// Returns the part of the canvas between the bands, in pixels.
+/// Returns the part of the canvas between the bands, or on a low canvas beside the plates, in pixels. What is beside a
+/// dialog that previews its result counts, if it is large enough.
 PixelRect freeRoom(const Shell &context, const PixelRect &canvas);
 
 void drawMenuBar(Shell &context, const PixelRect &rect);

@@ -127,14 +127,18 @@ void underlineMnemonic(const char *menu, char mnemonic) {
     ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, ImGui::GetColorU32(ImGuiCol_Text));
 }
 
-/// Draws the title of the document in the middle between two places, without its middle if it does not fit; the dot of
-/// unsaved changes stays.
+constexpr double kLeastTitle = 80.0; ///< width of a title without its middle that can be read, in design pixels
+
+/// Draws the title of the document in the middle between two places, without its middle if it does not fit, and not at
+/// all if too little of it would be left; the dot of unsaved changes stays.
 void drawTitle(Workspace &context, const PixelRect &rect, float from, float to) {
     const std::string dot = context.document.dirty() ? " \xe2\x80\xa2" : "";
     const float room = to - from - ImGui::CalcTextSize(dot.c_str()).x;
-    const std::string title = ui::withoutMiddle(context.document.title(), std::max(0.0F, room)) + dot;
+    const std::string &whole = context.document.title();
+    const bool readable = room >= std::min(ImGui::CalcTextSize(whole.c_str()).x, context.px(kLeastTitle));
+    const std::string title = (readable ? ui::withoutMiddle(whole, room) : std::string()) + dot;
     const ImVec2 size = ImGui::CalcTextSize(title.c_str());
-    if (to - from < std::min(size.x, context.px(48))) {
+    if (title.empty() || size.x > to - from) {
         return;
     }
     const float x = std::max(from, (from + to - size.x) / 2);

@@ -48,8 +48,10 @@ void growTogether(const std::vector<Section> &sections, std::vector<std::size_t>
 std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionMeasures &measures, float height) {
     float spare = spareOf(sections, measures, height);
     const float needed = measures.wholeFirst ? neededByFirst(sections, measures) : 0.0F;
-    for (auto section = sections.rbegin(); spare < needed && section != sections.rend(); ++section) {
+    auto open = std::count_if(sections.begin(), sections.end(), [](const Section &section) { return section.open; });
+    for (auto section = sections.rbegin(); spare < needed && section != sections.rend() && open > 1; ++section) {
         if (section->open && !section->keepsOpen) {
+            --open;
             section->open = false;
             spare = spareOf(sections, measures, height);
         }
@@ -57,6 +59,12 @@ std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionM
     std::vector<float> heights;
     std::transform(sections.begin(), sections.end(), std::back_inserter(heights),
                    [&](const Section &section) { return section.open ? leastOf(section, measures) : 0.0F; });
+    if (spare < 0.0F && open == 1) { // a low column shows less of a single section rather than all of it out of sight
+        constexpr float kShare = 0.5F;
+        for (float &each : heights) {
+            each = std::min(each, std::max(each + spare, kShare * measures.lowest));
+        }
+    }
     for (const bool first : {true, false}) {
         std::vector<std::size_t> growing;
         for (std::size_t k = 0; k < sections.size(); ++k) {

@@ -19,11 +19,10 @@ struct SectionMeasures {
     bool wholeFirst = false;          ///< others fold where those that come first could not be whole
 };
 
-/// Folds the lower sections for which a column of this height has no room, except those that stay open or, with
-/// `wholeFirst`, come first, and divides
-/// the height among the open ones: those that come first and low ones get what they need, the others share the rest.
-/// Returns the heights of their contents, 0 for folded ones. If the lowest heights do not fit, the sum exceeds the
-/// height.
+/// Folds the lower sections for which a column of this height has no room, except those that stay open, the last one
+/// that is left and, with `wholeFirst`, those that come first, and divides the height among the open ones: those that
+/// come first and low ones get what they need, the others share the rest. Returns the heights of their contents, 0 for
+/// folded ones. If the lowest heights do not fit, the sum exceeds the height.
 std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionMeasures &measures, float height);
 
 } // namespace forefront::shell

@@ -29,6 +29,7 @@ void FieldFocus::request(std::string_view name) {
 }
 
 void FieldFocus::gotFocus(std::string_view name) {
+    focused_ = name;
     if (wanted_ == name) {
         wanted_.clear();
     }

@@ -24,6 +24,7 @@ class FieldFocus {
     void beginFrame() {
         order_.clear();
         committed.clear();
+        focused_.clear();
     }
     /// Finds the next field for Tab. Call when all fields of the frame are drawn.
     void endFrame();
@@ -40,6 +41,8 @@ class FieldFocus {
     bool takes(std::string_view name);
     /// Reports that the field has the focus.
     void gotFocus(std::string_view name);
+    /// Returns the field that had the focus when it was drawn in this frame; empty: none.
+    const std::string &focused() const { return focused_; }
     /// Gives the focus to a switch, which Dear ImGui does not do without its keyboard navigation; empty: to none.
     void hold(std::string_view name) { held_ = name; }
     /// Returns the switch that has the focus; empty: none.
@@ -103,7 +106,7 @@ class FieldFocus {
     std::optional<std::string> tabbed_;
     std::optional<unsigned> tabbedInto_;
     bool back_ = false;
-    std::string held_;
+    std::string held_, focused_;
     std::string wanted_;            ///< empty: none
     int asked_ = 0;                 ///< frames until Dear ImGui may be asked again to give it the focus
     int framesLeft_ = 0;            ///< frames until the request is dropped

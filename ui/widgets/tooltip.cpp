@@ -60,7 +60,8 @@ void show(WidgetContext &context, std::string_view text, const PixelRect &widget
     const ImVec2 pad(context.px(kPadX), context.px(kPadY));
     const PixelRect place = placeOf(context, text, widget);
     const WidgetRegistry::Widget *const note = context.widgets.find("fieldnote");
-    if (note != nullptr && note->rect.overlaps(place)) {
+    const WidgetRegistry::Widget *const faulty = context.widgets.find("fieldnote/field");
+    if (note != nullptr && (note->rect.overlaps(place) || (faulty != nullptr && faulty->rect.overlaps(widget)))) {
         return; // what is wrong with a field matters more than what it means
     }
     ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
@@ -94,9 +95,24 @@ void tooltip(WidgetContext &context, std::string_view text) {
     show(context, text, rectOf(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
 }
 
+PixelRect placeFaultNote(const PixelRect &field, const PixelRect &window, Pixel size, PixelSize display, double gap) {
+    const double left = std::clamp(window.x + gap, 0.0, std::max(0.0, display.width - size.x));
+    const double x = std::max(left, std::min(field.x, field.x + field.width - size.x)); // their right edges in line
+    const double below = field.y + field.height + gap, above = field.y - gap - size.y;
+    return {x, below + size.y <= display.height || above < 0.0 ? below : above, size.x, size.y};
+}
+
 void faultNote(WidgetContext &context, std::string_view text, bool fault) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-    const PixelRect place = placeOf(context, text, rectOf(min, max));
+    const ImGuiWindow &window = *ImGui::GetCurrentContext()->CurrentWindow->RootWindow;
+    const float margin = context.px(6);
+    const float wrap = std::min(context.px(kWrap), window.Size.x - 2.0F * (context.px(kPadX) + margin));
+    const std::string lines = wrapped(text, wrap);
+    const ImVec2 words = ImGui::CalcTextSize(lines.c_str());
+    const Pixel size{std::ceil(words.x) + 2.0 * context.px(kPadX), std::ceil(words.y) + 2.0 * context.px(kPadY)};
+    const PixelRect place = placeFaultNote(
+        rectOf(min, max), rectOf(window.Pos, {window.Pos.x + window.Size.x, window.Pos.y + window.Size.y}), size,
+        context.platform.framebufferSize(), context.px(4));
     const ImVec2 from{static_cast<float>(place.x), static_cast<float>(place.y)};
     const ImVec2 to{static_cast<float>(place.x + place.width), static_cast<float>(place.y + place.height)};
     ImDrawList &list = *ImGui::GetForegroundDrawList();
@@ -104,9 +120,9 @@ void faultNote(WidgetContext &context, std::string_view text, bool fault) {
     list.AddRect(min, max, edge, context.px(4), 0, context.px(1.5));
     list.AddRectFilled(from, to, context.theme.panel, context.px(4));
     list.AddRect(from, to, edge, context.px(4));
-    const std::string lines = wrapped(text, context.px(kWrap));
     list.AddText({from.x + context.px(kPadX), from.y + context.px(kPadY)}, edge, lines.c_str());
     markRect(context, "fieldnote", place);
+    markRect(context, "fieldnote/field", rectOf(min, max));
 }
 
 void tooltipOver(WidgetContext &context, const PixelRect &rect, std::string_view text) {

@@ -10,5 +10,8 @@ namespace forefront::ui {
 /// pixels; `x` is the pointer's.
 PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Pixel size, PixelSize display, double x,
                        double gap);
+/// Returns the position of the note on a fault of a field: below the field, or above it if there is no room, within the
+/// panel or dialog, so that it covers nothing on the canvas.
+PixelRect placeFaultNote(const PixelRect &field, const PixelRect &window, Pixel size, PixelSize display, double gap);
 
 } // namespace forefront::ui

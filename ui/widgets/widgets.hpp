@@ -31,6 +31,9 @@ enum class ButtonKind : std::uint8_t { Plain, Primary, Quiet };
 /// Draws a button. Width in design pixels; 0: as wide as the label, negative: the rest of the row.
 bool button(WidgetContext &context, std::string_view name, std::string_view label, ButtonKind kind = ButtonKind::Plain,
             bool enabled = true, float width = 0.0F);
+/// Draws one of several buttons of which one is chosen: that one is filled, the others have only an edge. Returns true
+/// if it was pressed.
+bool chip(WidgetContext &context, std::string_view name, std::string_view label, bool chosen);
 /// Draws a square button with an icon, highlighted if `on`. Size in design pixels.
 bool iconButton(WidgetContext &context, std::string_view name, const char *icon, const std::string &tooltip,
                 bool on = false, bool enabled = true, float size = 32.0F);
@@ -106,7 +109,7 @@ void tooltip(WidgetContext &context, std::string_view text);
 void rowTooltip(WidgetContext &context, std::string_view text);
 /// Shows `text` while the pointer is over a rectangle of the current window.
 void tooltipOver(WidgetContext &context, const PixelRect &rect, std::string_view text);
-/// Shows `text` beside the last item, in the error colour or, for a remark, in grey.
+/// Shows `text` below the last item, in the error colour or, for a remark, in grey.
 void faultNote(WidgetContext &context, std::string_view text, bool fault = true);
 /// Draws a coloured pill with text, such as "out of date". Returns true when clicked.
 bool badge(WidgetContext &context, std::string_view name, std::string_view text, Colour colour);

@@ -4,6 +4,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <imgui.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace forefront {
@@ -156,12 +158,30 @@ void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
     ui::checkbox(context, "options/snap/drawing", "Snap to drawing", context.snapping.toDrawing);
     ui::tooltip(context, "Snap to nodes, midpoints, centres, crossings, perpendiculars, tangents and segments. Hold "
                          "Ctrl to turn snapping off, Shift for directions in steps.");
-    ImGui::SameLine(0, context.px(12));
+    flow.item("snap/grid");
     ui::checkbox(context, "options/snap/grid", "Snap to grid", context.snapping.toGrid);
     ui::tooltip(
         context,
         "Place points on the drawing grid unless a target of the drawing, a guide or a relation is nearer. Hold "
         "Ctrl to turn snapping off. The layer Grid shows the grid or hides it.");
+    drawGridStep(context);
+}
+
+/// Draws the field for the step of the grid beside its switch.
+void EditState::drawGridStep(Workspace &context) {
+    ImGui::SameLine(0, context.px(8));
+    ImGui::BeginDisabled(!context.snapping.toGrid);
+    std::optional<double> step =
+        context.snapping.gridStep > 0.0 ? std::optional(context.snapping.gridStep) : std::nullopt;
+    if (ui::inputOptional(context, "options/snap/step", step, "auto", 56.0F, {}, context.document.current()->unit) &&
+        (!step || ui::checkPositive(context, "options/snap/step", *step))) {
+        context.snapping.gridStep = step.value_or(0.0);
+        context.animate();
+    }
+    ImGui::EndDisabled();
+    ui::tooltip(context, "Grid step: the distance of the lines of the grid. Leave empty for one that follows the zoom: "
+                         "now " +
+                             ui::number(gridStep(context)));
 }
 
 } // namespace forefront

@@ -114,6 +114,8 @@ struct EditState {
     void drawSnapOptions(Workspace &context, ui::Flow &flow);
 
   private:
+    static void drawGridStep(Workspace &context);
+
     struct Proposal {
         double EditState::*number;
         double value, extent; ///< diagonal of the drawing then

@@ -2,14 +2,16 @@
 
 #include "core/engine/geometry/polygon.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 #include "ui/workspace/workspace.hpp"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <string>
 
@@ -167,9 +169,11 @@ void goToPart(Workspace &context, const MeshPick &pick) {
     constexpr double kShare = 0.15; // of the canvas that the part takes up
     const double extent = box.diagonal();
     if (extent > 0.0) {
-        const double zoom = kShare * std::min(view.camera.viewport.width, view.camera.viewport.height) / extent;
+        const double zoom = kShare * std::min(view.open.width, view.camera.viewport.height) / extent;
         view.camera.zoom = std::clamp(zoom, view.camera.minZoom, view.camera.maxZoom);
     }
+    // In the middle of what a column over the canvas leaves.
+    view.camera.centre.x -= view.camera.length(view.open.centre().x - view.camera.viewport.centre().x);
     context.animate();
 }
 
@@ -308,14 +312,22 @@ void drawPlate(CanvasPainter &painter, const Workspace &context, const Judgement
                               std::to_string(pick.index) +
                               ui::format(" at (%.*f, %.*f)", decimals, at.x, decimals, at.y);
     const Colour plate = fade(context.theme.popup, 0.95);
+    const PixelRect &open = context.view.open;
+    const double right = open.x + open.width - context.view.camera.toPixel(at).x; // to a column over the canvas
+    const auto beside = [&](const std::string &text, ImFont *font) {
+        constexpr double kGap = 16.0; // design pixels
+        const ImVec2 size = font->CalcTextSizeA(imgui::lineOf(*font), 1e9F, 0.0F, text.c_str());
+        return std::min(kGap, (right - static_cast<double>(size.x)) / painter.scale() - kGap);
+    };
     double y = 14.0;
     if (measured) {
-        painter.label(at, {16.0, y}, judgement.name + ' ' + valueText(judgement, judgement.values[pick.index], 4),
-                      context.theme.text, plate, context.fonts.strong);
+        const std::string value = judgement.name + ' ' + valueText(judgement, judgement.values[pick.index], 4);
+        painter.label(at, {beside(value, context.fonts.strong), y}, value, context.theme.text, plate,
+                      context.fonts.strong);
         painter.nameLabel("probe/plate/value");
         y += 24.0;
     }
-    painter.label(at, {16.0, y}, where, context.theme.muted, plate, context.fonts.small);
+    painter.label(at, {beside(where, context.fonts.small), y}, where, context.theme.muted, plate, context.fonts.small);
     painter.nameLabel("probe/plate/place");
 }
 

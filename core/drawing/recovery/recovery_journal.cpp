@@ -108,6 +108,11 @@ void RecoveryJournal::flush() {
     urgent_ = false;
 }
 
+bool RecoveryJournal::resting() const {
+    const std::lock_guard lock(mutex_);
+    return !pending_ && !writing_;
+}
+
 Diagnostics RecoveryJournal::takeFaults() {
     const std::lock_guard lock(mutex_);
     return std::exchange(faults_, {});

@@ -52,6 +52,8 @@ class RecoveryJournal {
     void recordSaved();
     /// Waits until everything recorded is on disk.
     void flush();
+    /// Returns true if everything recorded is on disk. Destruction then waits for nothing.
+    bool resting() const;
     /// Returns the faults since the last call: code "journal-failed", at most once until writing works again.
     Diagnostics takeFaults();
     /// Returns the path of the journal file; empty before anything was written.

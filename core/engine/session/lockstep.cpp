@@ -58,6 +58,12 @@ bool Lockstep::busy() const {
     return std::any_of(runs_.begin(), runs_.end(), [](const Run &run) { return run.session->busy(); });
 }
 
+void Lockstep::clear() {
+    for (const Run &run : runs_) {
+        run.session->clear();
+    }
+}
+
 void Lockstep::wait() const {
     for (const Run &run : runs_) {
         run.session->wait();

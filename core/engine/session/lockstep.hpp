@@ -52,6 +52,8 @@ class Lockstep {
     const RunVariant &variant(std::size_t run) const { return runs_[run].variant; }
     std::shared_ptr<const SessionSnapshot> latest(std::size_t run) const { return runs_[run].session->latest(); }
     bool busy() const;
+    /// Discards the runs. Once none is busy, destruction waits for no worker.
+    void clear();
     /// Waits until none of the runs is busy.
     void wait() const;
     /// Moves every run to an advance, or to its own end, which is its improved mesh, with `end`. A run that is still

@@ -52,6 +52,15 @@ std::unique_ptr<DocumentRun> RunControl::withoutMesh(const DocumentRun &run) con
     return left;
 }
 
+void RunControl::drop(std::unique_ptr<DocumentRun> run) {
+    run->session.clear(); // the destructor would wait until the worker has stopped and freed its mesh
+    ending_.push_back(std::move(run));
+}
+
+bool RunControl::working() const {
+    return busy() || std::any_of(ending_.begin(), ending_.end(), [](const auto &run) { return run->session.busy(); });
+}
+
 /// Makes the mesh of a document again that was dropped while another one was shown.
 void RunControl::resume(const ResumedRun &resumed) {
     if (run_->opened) {
@@ -72,6 +81,7 @@ void RunControl::resume(const ResumedRun &resumed) {
 }
 
 void RunControl::refresh() {
+    std::erase_if(ending_, [](const auto &run) { return !run->session.busy(); });
     const bool busy = run_->session.busy(); // read before the snapshot: an idle worker has delivered its last one
     run_->snapshot = run_->session.latest();
     run_->cancelling = run_->cancelling && busy;

@@ -7,6 +7,7 @@
 #include "ui/workspace/mesh/file_fields.hpp"
 #include "ui/workspace/run/document_run.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -51,6 +52,10 @@ class RunControl final : public BackgroundActivity {
     std::unique_ptr<DocumentRun> exchange(std::unique_ptr<DocumentRun> other);
     /// Returns what is left of a run in the background without its mesh, which exchange() makes again.
     std::unique_ptr<DocumentRun> withoutMesh(const DocumentRun &run) const;
+    /// Ends a run whose document was closed. Its worker stops by itself, and a later refresh() frees the rest.
+    void drop(std::unique_ptr<DocumentRun> run);
+    /// Returns the number of dropped runs that refresh() has not freed yet.
+    std::size_t ending() const { return ending_.size(); }
 
     /// Fetches the newest snapshot and logs what the run reports. Called once per frame.
     void refresh();
@@ -120,7 +125,7 @@ class RunControl final : public BackgroundActivity {
 
     /// Returns true while a command is pending or the worker is busy.
     bool busy() const { return run_->session.busy(); }
-    bool working() const override { return busy(); }
+    bool working() const override;
     bool playing() const;
     bool hasRun() const;
     /// Returns true if the document has changed since the run started and live meshing will not catch up by itself.
@@ -180,6 +185,7 @@ class RunControl final : public BackgroundActivity {
     MessageLog &log_;
     std::shared_ptr<RunNumbers> numbers_ = std::make_shared<RunNumbers>(); ///< of the runs of all documents
     std::unique_ptr<DocumentRun> run_;                                     ///< of the document; never null
+    std::vector<std::unique_ptr<DocumentRun>> ending_;                     ///< see drop()
     const std::shared_ptr<const SessionSnapshot> empty_ = std::make_shared<const SessionSnapshot>();
     std::uint64_t openedCount_ = 0;
     bool resting_ = false; ///< no gesture is under way, and the drawing has no faults

@@ -3,6 +3,7 @@
 #include "core/drawing/document/document.hpp"
 #include "ui/workspace/run/run_control.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace forefront {
@@ -26,26 +27,37 @@ void SideBySide::close() {
     mesh_.reset();
 }
 
+bool SideBySide::working() const {
+    return (lockstep_ && lockstep_->busy()) ||
+           std::any_of(ending_.begin(), ending_.end(), [](const Lockstep &runs) { return runs.busy(); });
+}
+
+bool SideBySide::drop() {
+    shown_.clear();
+    if (!lockstep_) {
+        return false;
+    }
+    lockstep_->clear();
+    ending_.push_back(*std::move(lockstep_));
+    lockstep_.reset();
+    return true;
+}
+
 bool SideBySide::follow(const RunControl &run, const Document &document) {
+    std::erase_if(ending_, [](const Lockstep &runs) { return !runs.busy(); });
     const SessionSnapshot &main = run.now();
     if (!visible || mesh_ || !run.hasRun() || !run.steps() || run.showsFile() || !main.mesh) {
-        const bool had = lockstep_.has_value();
-        lockstep_.reset();
-        shown_.clear();
-        return had;
+        return drop();
     }
     const bool moved = main.shownRun != run_ || comparison != started_;
-    if (run.outOfDate() && (!lockstep_ || main.shownRun != run_)) { // the run on the canvas is of an older document
-        const bool had = lockstep_.has_value();                     // the runs beside it are of another one
-        lockstep_.reset();
-        shown_.clear();
-        return had;
+    if (run.outOfDate() && (!lockstep_ || main.shownRun != run_)) {
+        return drop(); // the run on the canvas is of an older document, the runs beside it are of another one
     }
     if (!lockstep_ || (moved && !run.outOfDate())) {
         run_ = main.shownRun;
         started_ = comparison;
         const std::vector<RunVariant> variants = variantsBeside({run.method(), document.options.grid}, comparison);
-        lockstep_.reset();
+        drop();
         lockstep_.emplace(run.job(), variants, list().wake());
         shown_.assign(variants.size(), nullptr);
     }

@@ -36,8 +36,8 @@ class SideBySide final : public BackgroundActivity {
     /// Returns the mesh of the file; null if runs are compared.
     const ComparedMesh *mesh() const { return mesh_.get(); }
     void close();
-    /// Returns true while a run is still moving to the position of the canvas.
-    bool working() const override { return lockstep_ && lockstep_->busy(); }
+    /// Returns true while a run is still moving to the position of the canvas, or one that was dropped is ending.
+    bool working() const override;
     bool hasNews() const override;
     /// Returns the number of runs or meshes compared with that of the canvas.
     std::size_t size() const { return mesh_ ? 1 : shown_.size(); }
@@ -51,7 +51,11 @@ class SideBySide final : public BackgroundActivity {
     const SessionSnapshot &now(std::size_t run) const { return *shown_[run]; }
 
   private:
+    /// Ends the runs, if there are any; their workers stop by themselves. Returns true if there were any.
+    bool drop();
+
     std::optional<Lockstep> lockstep_; ///< not set: nothing to compare
+    std::vector<Lockstep> ending_;     ///< runs that were dropped, until their workers have stopped
     std::vector<std::shared_ptr<const SessionSnapshot>> shown_;
     std::uint64_t run_ = 0; ///< number of the run that the lockstep was started for
     Comparison started_ = Comparison::Grids;

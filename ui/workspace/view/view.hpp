@@ -49,6 +49,7 @@ struct DraggedLimit {
 struct View : ColourChoice {
     Camera camera;
     PixelRect room;                ///< part of the canvas free of plates and legends; fitted drawings go there
+    PixelRect open;                ///< part of the canvas that a column over it leaves in sight
     std::uint64_t jumps = 0;       ///< of the camera to a target, see Glide
     std::optional<Box2> fitted;    ///< kept fully visible when the canvas is resized, until the user pans or zooms
     std::optional<Vec2> pointer;   ///< place under the pointer while it is over the canvas
