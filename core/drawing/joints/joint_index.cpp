@@ -1,11 +1,16 @@
-#include "core/drawing/commands/joint_index.hpp"
+#include "core/drawing/joints/joint_index.hpp"
 
-#include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <algorithm>
 
 namespace forefront {
+
+double jointTolerance(const Document &document) {
+    const Box2 box = boundsOf(document);
+    constexpr double kWeld = 1e-6;
+    return document.shapes.empty() ? 0.0 : kWeld * length(box.size());
+}
 
 bool canJoin(const Shape &shape) {
     return isPath(shape) || shape.is<RectangleForm>() || shape.is<PointForm>();
@@ -59,9 +64,9 @@ JointIndex::JointIndex(const Document &document) : document_(document), toleranc
 
 void JointIndex::addSegments(std::size_t shape, const std::vector<Vec2> &handles) {
     const Shape &of = *document_.shapes[shape];
-    for (std::size_t k = 0; k < sideCount(of); ++k) {
+    for (std::uint32_t k = 0; k < sideCount(of); ++k) {
         if (isStraightSide(of, k)) {
-            segments_.push_back({shape, handles[k], handles[(k + 1) % handles.size()]});
+            segments_.push_back({shape, k, handles[k], handles[(k + 1) % handles.size()]});
         }
     }
 }

@@ -19,9 +19,13 @@ struct JointHandle {
 
 /// A straight segment on which handles can lie.
 struct JointSegment {
-    std::size_t shape = 0; ///< position in Document::shapes
+    std::size_t shape = 0;  ///< position in Document::shapes
+    std::uint32_t side = 0; ///< index of the segment; it starts at the handle with the same index
     Vec2 a, b;
 };
+
+/// Returns the tolerance within which places of a document are the same: 1e-6 of its diagonal.
+double jointTolerance(const Document &document);
 
 /// Returns true if the handles of a shape can be joined with others: those of paths, rectangles and points.
 bool canJoin(const Shape &shape);
@@ -64,7 +68,7 @@ class JointIndex {
         box.add(b);
         handleTree_.query(box.grown(tolerance_), [&](std::uint32_t k) {
             const Vec2 at = handles_[k].at;
-            if (liesInside({handles_[k].shape, a, b}, at)) {
+            if (liesInside({handles_[k].shape, 0, a, b}, at)) {
                 visit(handles_[k], *alongSegment(a, b, at, tolerance_));
             }
         });
