@@ -170,7 +170,9 @@ class Settler {
         std::optional<SketchSolution> solution = any ? solveWithin(firm, SolveEffort::Plain) : std::nullopt;
         if (!solution || solution->flips > 0) {
             std::optional<SketchSolution> free = solveWithin(system, SolveEffort::Full);
-            solution = free && !(solution && solution->flips <= free->flips) ? std::move(free) : std::move(solution);
+            if (free && (!solution || free->flips < solution->flips)) {
+                solution = std::move(free);
+            }
         }
         return solution ? std::optional(std::move(solution->values)) : std::nullopt;
     }
@@ -330,17 +332,17 @@ class Settler {
         return settled;
     }
 
-    /// Returns the first segment of a path that has lost its length.
+    /// Returns the first segment of a path or rectangle that has lost its length.
     static std::optional<std::size_t> vanishedSegment(const Shape &before, const Shape &after) {
         constexpr double kVanished = 1e-6; // of the length before
-        if (!isPath(before) || before.nodes.size() != after.nodes.size()) {
+        if (handleCount(before) != handleCount(after)) {
             return std::nullopt;
         }
-        const std::size_t count = before.nodes.size() - (isClosed(before) ? 0 : 1);
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t end = (k + 1) % before.nodes.size();
-            const double length = distance(before.nodes[k], before.nodes[end]);
-            if (length > 0.0 && distance(after.nodes[k], after.nodes[end]) <= kVanished * length) {
+        const std::vector<Vec2> from = handlesOf(before), to = handlesOf(after);
+        for (std::size_t k = 0; k < sideCount(before); ++k) {
+            const std::size_t end = (k + 1) % from.size();
+            const double length = distance(from[k], from[end]);
+            if (length > 0.0 && distance(to[k], to[end]) <= kVanished * length) {
                 return k;
             }
         }

@@ -118,12 +118,12 @@ class JointFinder::Search {
         const std::vector<Vec2> handles = handlesOf(shape);
         const Vec2 at = handles[handle.node];
         const NodeRef first = followNodes(handle, at, handles.size());
-        followSegment(handle, at, position, first);
+        followSegments(handle, at, position, first);
         const auto count = static_cast<std::uint32_t>(handles.size());
         const std::size_t sides = sideCount(shape);
         for (const std::uint32_t side : {handle.node == 0 ? count - 1 : handle.node - 1, handle.node}) {
             if (side < sides && isStraightSide(shape, side)) {
-                followSide(position, side, handles[side], handles[(side + 1) % count]);
+                followSide({position, side, handles[side], handles[(side + 1) % count]});
             }
         }
     }
@@ -153,15 +153,27 @@ class JointFinder::Search {
         return first;
     }
 
-    /// Returns the segment of another shape that a node lies on; the first one in the drawing.
-    const JointSegment *segmentUnder(NodeRef handle, Vec2 at, std::size_t position) const {
-        return index_.segmentAt(at, [&](const JointSegment &segment) {
-            if (segment.shape == position || !usable(places_.shapes[segment.shape]->id)) {
-                return false;
+    /// Returns true if the nodes of a segment are as apart as another node.
+    bool isWith(NodeRef handle, const JointSegment &segment) const {
+        const auto [a, b] = endsOf(segment);
+        return isApart(a) == isApart(handle) && isApart(b) == isApart(handle);
+    }
+
+    /// Returns the segments of other shapes that a node lies on, one of those that have the same ends.
+    std::vector<JointSegment> segmentsUnder(NodeRef handle, Vec2 at, std::size_t position) const {
+        std::vector<JointSegment> under;
+        for (const JointSegment &segment : index_.segmentsAt(at)) {
+            const auto same = [&](Vec2 p, Vec2 q) { return distance(p, q) <= index_.tolerance(); };
+            const bool known = std::any_of(under.begin(), under.end(), [&](const JointSegment &other) {
+                return (same(other.a, segment.a) && same(other.b, segment.b)) ||
+                       (same(other.a, segment.b) && same(other.b, segment.a));
+            });
+            if (!known && segment.shape != position && usable(places_.shapes[segment.shape]->id) &&
+                isWith(handle, segment)) {
+                under.push_back(segment);
             }
-            const auto [a, b] = endsOf(segment);
-            return isApart(a) == isApart(handle) && isApart(b) == isApart(handle);
-        });
+        }
+        return under;
     }
 
     std::pair<NodeRef, NodeRef> endsOf(const JointSegment &segment) const {
@@ -169,27 +181,23 @@ class JointFinder::Search {
         return {refOf(segment.shape, segment.side), refOf(segment.shape, (segment.side + 1) % count)};
     }
 
-    void followSegment(NodeRef handle, Vec2 at, std::size_t position, NodeRef first) {
-        const JointSegment *const segment = segmentUnder(handle, at, position);
-        // Nodes at one place lie on one segment together; one equation says it for all of them.
-        if (segment == nullptr || (first != handle && places_.shapes[segment->shape]->id != first.shape)) {
-            return;
+    void followSegments(NodeRef handle, Vec2 at, std::size_t position, NodeRef first) {
+        for (const JointSegment &segment : segmentsUnder(handle, at, position)) {
+            // Nodes at one place lie on one segment together; one equation says it for all of them.
+            const auto [a, b] = endsOf(segment);
+            if (first == handle || a.shape == first.shape) {
+                reached_.insert(reached_.end(), {a, b});
+                found_.emplace_back(nodeOf(handle), SketchPart{a.shape, SketchPartKind::Segment, segment.side});
+            }
         }
-        const auto [a, b] = endsOf(*segment);
-        reached_.insert(reached_.end(), {a, b});
-        found_.emplace_back(nodeOf(handle), SketchPart{a.shape, SketchPartKind::Segment, segment->side});
     }
 
-    /// Brings in the nodes of other shapes that lie on a segment whose ends are in the sketch.
-    void followSide(std::size_t position, std::uint32_t side, Vec2 a, Vec2 b) {
+    /// Brings in the nodes of other shapes that lie on a segment.
+    void followSide(const JointSegment &side) {
         std::vector<NodeRef> on;
-        index_.handlesOn(a, b, [&](const JointHandle &found, double) {
+        index_.handlesOn(side.a, side.b, [&](const JointHandle &found, double) {
             const NodeRef handle = refOf(found.shape, found.handle);
-            if (found.shape == position || !usable(handle.shape)) {
-                return;
-            }
-            const JointSegment *const under = segmentUnder(handle, found.at, found.shape);
-            if (under != nullptr && under->shape == position && under->side == side) {
+            if (found.shape != side.shape && usable(handle.shape) && isWith(handle, side)) {
                 on.push_back(handle);
             }
         });

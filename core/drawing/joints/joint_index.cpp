@@ -62,6 +62,22 @@ JointIndex::JointIndex(const Document &document) : document_(document), toleranc
     segmentTree_ = BoxTree(boxes);
 }
 
+std::vector<JointSegment> JointIndex::segmentsAt(Vec2 p) const {
+    std::vector<std::uint32_t> found;
+    segmentTree_.query(Box2{p, p}.grown(tolerance_), [&](std::uint32_t k) {
+        if (liesInside(segments_[k], p)) {
+            found.push_back(k);
+        }
+    });
+    std::sort(found.begin(), found.end());
+    std::vector<JointSegment> segments;
+    segments.reserve(found.size());
+    for (const std::uint32_t k : found) {
+        segments.push_back(segments_[k]);
+    }
+    return segments;
+}
+
 void JointIndex::addSegments(std::size_t shape, const std::vector<Vec2> &handles) {
     const Shape &of = *document_.shapes[shape];
     for (std::uint32_t k = 0; k < sideCount(of); ++k) {

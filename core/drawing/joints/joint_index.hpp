@@ -52,6 +52,8 @@ class JointIndex {
         });
         return first == kNoIndex ? nullptr : &segments_[first];
     }
+    /// Returns the segments that p lies inside of, in the order of the document.
+    std::vector<JointSegment> segmentsAt(Vec2 p) const;
     /// Calls visit(handle) for every handle at a place.
     template <class Visit>
     void handlesAt(Vec2 p, const Visit &visit) const {
