@@ -243,6 +243,7 @@ TEST_CASE("Joints: a dimension that is typed on the canvas moves both sides of a
     driver.clickAt(middle);
     driver.clickAt(middle);
     driver.settle();
+    driver.key('A', kControl);
     driver.type("3.5");
     driver.key(key::kEnter);
     driver.settle();
