@@ -8,6 +8,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "tests/unit/constraint_samples.hpp"
 #include "tests/unit/edit_support.hpp"
 
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace forefront::constraint_test {
@@ -260,6 +262,49 @@ TEST_CASE("Sketch joints: what a joint is tied to counts as determined; a free n
     CHECK(state.isDetermined(node(2, 0)));
     CHECK(state.isDetermined(node(2, 3)));
     CHECK(!state.isDetermined(node(2, 1)));
+}
+
+TEST_CASE("Sketch joints: a curved border that two shapes share keeps one curve, with a radius or a control point") {
+    Shape left = square({0, 0}, 4), right = square({4, 0}, 4);
+    left.path().curves.assign(4, Curve());
+    right.path().curves.assign(4, Curve());
+    const Vec2 a{4, 0}, b{4, 4}, bulge{4.5, 2};
+    left.path().curves[1] = arcThrough(a, bulge, b);
+    right.path().curves[3] = arcThrough(b, bulge, a);
+    Document document = documentOf({left, right});
+    const auto middles = [](const Document &now) {
+        return std::pair(findShape(now, 1)->path().curves[1].point(0.5),
+                         findShape(now, 2)->path().curves[3].point(0.5));
+    };
+    Document constrained = document;
+    constrain(constrained, Kind::Fixed, {node(1, 1)});
+    constrain(constrained, Kind::Fixed, {node(1, 2)});
+    constrain(constrained, Kind::Radius, {segment(1, 1)});
+    const Result<Document> flat = setDimension(constrained, constrained.constraints.back()->id, 6.0);
+    REQUIRE_MESSAGE(flat.ok(), messageOf(flat));
+    const auto [first, second] = middles(*flat);
+    CHECK(distance(first, second) < 1e-9);
+    CHECK(first.x == doctest::Approx(4.0 + 6.0 - std::sqrt(32.0)));
+
+    document.parameters = {{"r", "4.25"}};
+    document.spacing.names = {{"r", 4.25}};
+    document = setFormula(document, {NumberOwner::ofShape(1), Quantity::ArcRadius, 1}, "r");
+    const Result<Document> bent = overrideParameters(document, {{"r", "6"}});
+    REQUIRE_MESSAGE(bent.ok(), messageOf(bent));
+    CHECK(distance(middles(*bent).first, first) < 1e-9);
+    CHECK(distance(middles(*bent).second, first) < 1e-9);
+
+    left.path().curves[1] = Curve::cubic(a, {5, 1}, {5, 3}, b);
+    right.path().curves[3] = Curve::cubic(b, {5, 3}, {5, 1}, a);
+    Document smooth = documentOf({left, right});
+    for (const std::uint32_t k : {0U, 1U, 2U, 3U}) {
+        constrain(smooth, Kind::Fixed, {node(1, k)});
+    }
+    constrain(smooth, Kind::HorizontalDistance, {node(1, 1), {1, SketchPartKind::StartControl, 1}});
+    const Result<Document> wide = setDimension(smooth, smooth.constraints.back()->id, 2.0);
+    REQUIRE_MESSAGE(wide.ok(), messageOf(wide));
+    CHECK(findShape(*wide, 1)->path().curves[1].numbers()[2] == doctest::Approx(6.0));
+    CHECK(findShape(*wide, 2)->path().curves[3].numbers()[4] == doctest::Approx(6.0));
 }
 
 TEST_CASE("Sketch joints: what constraints do not reach keeps its bits") {

@@ -19,11 +19,12 @@ std::uint32_t nodeOfCorner(std::uint32_t corner, bool across) {
 
 void DocumentSketch::finish(const JointSource &source) {
     JointFinder finder(*this, source);
-    for (std::size_t known = 0; known != system.values.size();) { // formulas may bring in further nodes
+    std::size_t known = 0;
+    do { // formulas may bring in further nodes
         known = system.values.size();
         finder.find();
         holdFormulas();
-    }
+    } while (known != system.values.size());
     finder.write();
     for (const std::uint32_t id : std::set<std::uint32_t>(shapes_)) {
         addGuards(shapeOf(id));

@@ -3,6 +3,7 @@
 #include "core/drawing/constraints/conflict.hpp"
 #include "core/drawing/constraints/constraint_equations.hpp"
 #include "core/drawing/constraints/orient.hpp"
+#include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/joints/joint_index.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
@@ -43,9 +44,10 @@ std::set<std::uint32_t> changedConstraints(const Document &before, const Documen
     return changed;
 }
 
-/// Returns the nodes that a command has moved, of shapes that have the same nodes otherwise.
-std::set<NodeRef> movedNodes(const Document &before, const Document &next) {
-    std::set<NodeRef> moved;
+/// Returns the nodes that a command has moved, and the arcs that it has bent, of shapes that have the same nodes
+/// otherwise.
+std::set<SketchPart> movedParts(const Document &before, const Document &next) {
+    std::set<SketchPart> moved;
     for (const auto &shape : next.shapes) {
         const Shape *const old = findShape(before, shape->id);
         if (old == nullptr || old == shape.get() || !canJoin(*shape) || old->form.index() != shape->form.index()) {
@@ -54,7 +56,15 @@ std::set<NodeRef> movedNodes(const Document &before, const Document &next) {
         const std::vector<Vec2> from = handlesOf(*old), to = handlesOf(*shape);
         for (std::uint32_t k = 0; k < to.size() && from.size() == to.size(); ++k) {
             if (from[k] != to[k]) {
-                moved.insert({shape->id, k});
+                moved.insert({shape->id, SketchPartKind::Node, k});
+            }
+        }
+        for (std::uint32_t k = 0; isPath(*shape) && k < shape->path().curves.size(); ++k) {
+            const SketchPart arc{shape->id, SketchPartKind::Segment, k};
+            const bool known = from.size() == to.size() && k < old->path().curves.size();
+            if (known && old->path().curves[k] != shape->path().curves[k] &&
+                formOfPart(next, arc) == PartForm::Circle && formOfPart(before, arc) == PartForm::Circle) {
+                moved.insert(arc);
             }
         }
     }
@@ -377,7 +387,7 @@ Result<Document> settleTogether(const Document &before, const Document &next) {
     if (before.constraints == next.constraints && before.shapes == next.shapes) {
         return next;
     }
-    JointSource joints{.places = &before, .moved = movedNodes(before, next)};
+    JointSource joints{.places = &before, .moved = movedParts(before, next)};
     if (next.constraints.empty() && joints.moved.empty()) {
         return next;
     }

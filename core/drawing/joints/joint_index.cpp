@@ -3,6 +3,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace forefront {
 
@@ -35,18 +36,37 @@ bool isStraightSide(const Shape &shape, std::size_t k) {
     return !isPath(shape) || shape.path().curves.empty() || shape.path().curves[k] == Curve();
 }
 
-JointIndex::JointIndex(const Document &document) : document_(document), tolerance_(jointTolerance(document)) {
+JointIndex::JointIndex(const Document &document)
+    : JointIndex(document, {{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()},
+                            {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}}) {}
+
+JointIndex::JointIndex(const Document &document, const Box2 &within)
+    : document_(document), tolerance_(jointTolerance(document)) {
+    const Box2 box = within.grown(tolerance_);
     for (std::size_t s = 0; s < document.shapes.size(); ++s) {
         const Shape &shape = *document.shapes[s];
-        if (!canJoin(shape)) {
-            continue;
+        if (canJoin(shape)) {
+            isPath(shape) ? addShape(s, shape.nodes, box) : addShape(s, handlesOf(shape), box);
         }
-        const std::vector<Vec2> handles = handlesOf(shape);
-        for (std::uint32_t k = 0; k < handles.size(); ++k) {
-            handles_.push_back({s, k, handles[k]});
-        }
-        addSegments(s, handles);
     }
+    build();
+}
+
+void JointIndex::addShape(std::size_t shape, const std::vector<Vec2> &handles, const Box2 &within) {
+    const Shape &of = *document_.shapes[shape];
+    const std::size_t sides = sideCount(of);
+    for (std::uint32_t k = 0; k < handles.size(); ++k) {
+        if (within.contains(handles[k])) {
+            handles_.push_back({shape, k, handles[k]});
+        }
+        const Vec2 next = handles[k + 1 < handles.size() ? k + 1 : 0];
+        if (k < sides && boxOf(handles[k], next).overlaps(within) && isStraightSide(of, k)) {
+            segments_.push_back({shape, k, handles[k], next});
+        }
+    }
+}
+
+void JointIndex::build() {
     std::vector<Box2> boxes;
     boxes.reserve(std::max(handles_.size(), segments_.size()));
     for (const JointHandle &handle : handles_) {
@@ -55,9 +75,7 @@ JointIndex::JointIndex(const Document &document) : document_(document), toleranc
     handleTree_ = BoxTree(boxes);
     boxes.clear();
     for (const JointSegment &segment : segments_) {
-        Box2 box{segment.a, segment.a};
-        box.add(segment.b);
-        boxes.push_back(box);
+        boxes.push_back(boxOf(segment.a, segment.b));
     }
     segmentTree_ = BoxTree(boxes);
 }
@@ -76,15 +94,6 @@ std::vector<JointSegment> JointIndex::segmentsAt(Vec2 p) const {
         segments.push_back(segments_[k]);
     }
     return segments;
-}
-
-void JointIndex::addSegments(std::size_t shape, const std::vector<Vec2> &handles) {
-    const Shape &of = *document_.shapes[shape];
-    for (std::uint32_t k = 0; k < sideCount(of); ++k) {
-        if (isStraightSide(of, k)) {
-            segments_.push_back({shape, k, handles[k], handles[(k + 1) % handles.size()]});
-        }
-    }
 }
 
 } // namespace forefront

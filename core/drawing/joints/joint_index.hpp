@@ -37,6 +37,8 @@ std::optional<double> alongSegment(Vec2 a, Vec2 b, Vec2 p, double tolerance);
 class JointIndex {
   public:
     explicit JointIndex(const Document &document);
+    /// Finds only handles and segments in a box or that meet it, which takes less time.
+    JointIndex(const Document &document, const Box2 &within);
 
     const Document &document() const { return document_; }
     /// Returns the distance within which places are the same; see jointTolerance().
@@ -82,7 +84,8 @@ class JointIndex {
         return distance(p, segment.a) > tolerance_ && distance(p, segment.b) > tolerance_ &&
                alongSegment(segment.a, segment.b, p, tolerance_);
     }
-    void addSegments(std::size_t shape, const std::vector<Vec2> &handles);
+    void addShape(std::size_t shape, const std::vector<Vec2> &handles, const Box2 &within);
+    void build();
 
     const Document &document_;
     double tolerance_;
