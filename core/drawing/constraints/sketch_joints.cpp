@@ -31,6 +31,8 @@ class JointWriter {
     }
 
     void write(const SketchPart &node, const SketchPart &other) {
+        // A formula does not move what is locked, but formulas of both sides may part them.
+        mayPart_ = findShape(places_, node.shape)->locked == findShape(places_, other.shape)->locked;
         const std::vector<SketchEquation> equations = equationsOf(node, other);
         if (equations.empty()) {
             return;
@@ -85,10 +87,13 @@ class JointWriter {
             if (a == b) {
                 continue;
             }
-            if (!given_[a] || !given_[b]) {
-                equations.push_back(makeEqual(a, b));
-            } else if (std::fabs(sketch_.system.values[a] - sketch_.system.values[b]) > tolerance_) {
+            const bool apart = std::fabs(sketch_.system.values[a] - sketch_.system.values[b]) > tolerance_;
+            const bool given = given_[a] && given_[b];
+            if (given && apart && mayPart_) {
                 return {};
+            }
+            if (!given || apart) {
+                equations.push_back(makeEqual(a, b));
             }
         }
         return equations;
@@ -97,6 +102,7 @@ class JointWriter {
     DocumentSketch &sketch_;
     const Document &places_;
     double tolerance_;
+    bool mayPart_ = true;
     std::vector<bool> given_; ///< unknowns whose values formulas, locks or constraints give
 };
 
