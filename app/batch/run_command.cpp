@@ -41,7 +41,8 @@ script, or to the current folder if it is read from standard input.
                                                                  "layer", "nameProperty", "sizeProperty" and "weld",
                                                                  as the options of forefront mesh
   {"command": "add", "shapes": [{"kind": "rectangle", "nodes": [[0, 0], [4, 2]]}]}
-  {"command": "move", "shapes": [1], "by": [1, 0]}               or "nodes": ["shape/1/node/0"]
+  {"command": "move", "shapes": [1], "by": [1, 0]}               or "nodes": ["shape/1/node/0"]; takes along what
+                                                                 is joined with them, without "alone": true
   {"command": "constrain", "kind": "length", "parts": ["shape/1/segment/0"], "value": "2*r"}
   {"command": "name", "boundary": 1, "name": "inlet"}            or "shape": 1, "regionMarker": 0, or
                                                                  "segments": ["shape/1/segment/0"], such as the

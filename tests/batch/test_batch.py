@@ -864,6 +864,28 @@ class Meshing(Case):
         self.call("mesh", "hole.json", "-o", "hole.su2", "--size", "1")  # replaces the spacing of the project
         self.assertNotIn("MARKER_ELEMS= 24\n", self.read("hole.su2"))
 
+    def test_parameters_move_what_is_joined(self):
+        rooms = """{"format": "forefront", "version": 2, "spacing": {"size": 1},
+            "shapes": [{"id": 1, "kind": "polygon", "nodes": [[0, 0], [4, 0], [8, 0], [8, 3], [4, 3], [0, 3]]},
+                       {"id": 2, "kind": "polyline", "use": "constraint", "tag": 2, "nodes": [[4, 0], [4, 3]]}],
+            "regionMarkers": [{"at": [1, 1], "tag": 2}, {"at": [7, 1], "tag": 3}],
+            "parameters": {"w": "4"}, "formulas": {"shape/1/x/1": "w", "shape/1/x/4": "w"}}"""
+        self.write("rooms.json", rooms)
+        for setting, width in ([], 4.0), (["--set", "w=5"], 5.0), (["--set", "w=2.5"], 2.5):
+            self.call("mesh", "rooms.json", "-o", "rooms.vtu", "--stats", "rooms-stats.json", *setting)
+            areas = [region["area"] for region in json.loads(self.read("rooms-stats.json"))["regions"]]
+            self.assertAlmostEqual(areas[0], 3.0 * width, delta=1e-9)  # the wall between them follows
+            self.assertAlmostEqual(areas[1], 3.0 * (8.0 - width), delta=1e-9)
+        self.write("locked.json", rooms.replace('"kind": "polyline",', '"kind": "polyline", "locked": true,'))
+        refused = self.call("mesh", "locked.json", "-o", "rooms.vtu", "--set", "w=5", code=1).stderr
+        self.assertIn("the joint of polygon 1 and polyline 2 at (4, 0) cannot hold", refused)
+
+    def test_a_conflict_of_a_sample_names_few_constraints(self):
+        bracket = pathlib.Path(__file__).parents[2] / "assets" / "samples" / "bracket.json"
+        refused = self.call("mesh", str(bracket), "-o", "bracket.vtu", "--set", "d=300", code=1).stderr
+        self.assertIn("Upper arm", refused)
+        self.assertLess(refused.count(","), 12, refused)  # of 31 constraints
+
     def test_parameters_drive_the_dimensions_of_a_sketch(self):
         self.write("part.json", """{"format": "forefront", "version": 2, "spacing": {"size": 4},
             "shapes": [{"id": 1, "kind": "polygon", "nodes": [[0, 0], [40, 0], [40, 30], [0, 30]]},

@@ -12,7 +12,7 @@ ORDERS = {
                     "mesher", "quads", "refine", "pipeline", "adapt session"],
     "core/engine/spacing": ["spec", "sites", "parts", "."],
     "core/files": ["source", "text", "common", "json", "components", "*", "."],
-    "core/drawing": ["arrangement", "sketch", "document", "shapes", "colour_outline", "names", "constraints", "formulas", "domain", "picking", "commands recovery"],
+    "core/drawing": ["arrangement", "sketch", "document", "shapes", "colour_outline", "names", "joints", "constraints", "formulas", "domain", "picking", "commands recovery"],
     "core/drawing/arrangement": [".", "snapping", "curves", "repeated_lines", "cover", "assembly repair"],
     "core/drawing_files": ["common", "*", "clipboard script", "."],
     "core/drawing_files/svg": ["xml", "values", "style", "drawing", "areas", "."],

@@ -1,3 +1,4 @@
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "tests/ui/percentile.hpp"
 
@@ -21,11 +22,28 @@ double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-enum class Gesture { Node, Source, Brush };
-constexpr const char *kGestures[] = {"node", "source", "brush"};
+enum class Gesture { Node, Constrained, Source, Brush };
+constexpr const char *kGestures[] = {"node", "constrained node", "source", "brush"};
 
-/// Drags a node or a source around a small circle, or the brush along a spiral so that every dab changes the spacing,
-/// on a live-meshed square without pausing, and measures latencies.
+/// Returns the square as a parallelogram that stands on a side of fixed length: its opposite side follows each corner.
+Document constrainedSquare(Document document) {
+    const std::uint32_t id = document.shapes[0]->id;
+    const auto side = [id](std::uint32_t k) { return SketchPart{id, SketchPartKind::Segment, k}; };
+    const auto add = [&](ConstraintKind kind, const std::vector<SketchPart> &parts) {
+        Result<Document> next = addConstraint(document, kind, parts);
+        REQUIRE(next.ok());
+        document = *std::move(next);
+    };
+    add(ConstraintKind::Fixed, {{id, SketchPartKind::Node, 0}});
+    add(ConstraintKind::Horizontal, {side(0)});
+    add(ConstraintKind::Length, {side(0)});
+    add(ConstraintKind::Parallel, {side(0), side(2)});
+    add(ConstraintKind::Equal, {side(0), side(2)});
+    return document;
+}
+
+/// Drags a node, free or constrained, or a source around a small circle, or the brush along a spiral so that every dab
+/// changes the spacing, on a live-meshed square without pausing, and measures latencies.
 class DragBench {
   public:
     DragBench(Gesture gesture, double elements) : gesture_(gesture), wanted_(elements) {
@@ -33,7 +51,9 @@ class DragBench {
         driver_.polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}});
         Document sized = driver_.document();
         sized.spacing.size = std::sqrt(64.0 / (0.433 * elements));
-        if (gesture != Gesture::Node) {
+        if (gesture == Gesture::Constrained) {
+            sized = constrainedSquare(std::move(sized));
+        } else if (gesture != Gesture::Node) {
             sized.spacing.sources.push_back({.a = {6, 6}, .size = 0.7 * *sized.spacing.size, .growth = 0.2});
         }
         driver_.context().document.apply(std::move(sized), "Size");
@@ -75,7 +95,7 @@ class DragBench {
     };
 
     Vec2 start() const {
-        return gesture_ == Gesture::Brush ? Vec2{4.0, 4.0} : gesture_ == Gesture::Node ? Vec2{8, 8} : Vec2{6, 6};
+        return gesture_ == Gesture::Brush ? Vec2{4.0, 4.0} : gesture_ == Gesture::Source ? Vec2{6, 6} : Vec2{8, 8};
     }
 
     /// Returns a place on a spiral whose turns are as far apart as the brush is wide, after a path of the given length.
@@ -142,7 +162,7 @@ class DragBench {
 TEST_CASE("Bench: live meshes per second and latency from input to picture during gestures" * doctest::skip()) {
     std::printf("gesture,wanted,elements,frames_per_s,frame_ms_p50,p95,meshes_per_s,tints_per_s,"
                 "input_to_picture_ms_p50,p95,p99,max,load\n");
-    for (const Gesture gesture : {Gesture::Node, Gesture::Source, Gesture::Brush}) {
+    for (const Gesture gesture : {Gesture::Node, Gesture::Constrained, Gesture::Source, Gesture::Brush}) {
         for (const double elements : {5e3, 2e4, 2e5}) {
             DragBench(gesture, elements).run(5.0);
         }

@@ -1,5 +1,6 @@
 // Joined nodes stay together while they are dragged, nudged, typed, inserted and deleted in the editor.
 #include "core/drawing/commands/carry_joints.hpp"
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
@@ -200,6 +201,56 @@ TEST_CASE("Joints: rings mark the joined nodes of the selected shape") {
     };
     CHECK(around({4, 5}) > 0);
     CHECK(around({7, 5}) == 0);
+}
+
+TEST_CASE("Joints: a constrained node that is dragged takes its neighbour along, and Alt detaches it") {
+    TwoSquares driver;
+    const std::uint32_t id = driver.document().shapes[0]->id;
+    REQUIRE(driver.context().applyCommand(
+        addConstraint(driver.document(), ConstraintKind::Horizontal, {{id, SketchPartKind::Segment, 2}}), "Add"));
+    const std::vector<Vec2> left = driver.left(), right = driver.right();
+    driver.dragPlaces({4, 5}, {5, 6});
+    driver.settle();
+    CHECK(distance(driver.left()[2], {5, 6}) < 0.05);
+    CHECK(driver.right()[3] == driver.left()[2]);
+    CHECK(driver.left()[3].y == driver.left()[2].y); // the upper side stays horizontal
+    CHECK(driver.right()[2] == Vec2{7, 5});
+    CHECK(driver.newSteps() == 2);
+    driver.undo();
+    CHECK(driver.left() == left);
+    CHECK(driver.right() == right);
+
+    driver.drag(driver.pixel({4, 5}), driver.pixel({5, 6}), 8, kAltDrag);
+    driver.settle();
+    CHECK(distance(driver.left()[2], driver.right()[3]) > 1.0);
+    CHECK(driver.left()[3].y == driver.left()[2].y);
+    CHECK(driver.newSteps() == 2);
+}
+
+TEST_CASE("Joints: a dimension that is typed on the canvas moves both sides of a border") {
+    TwoSquares driver;
+    const std::uint32_t id = driver.document().shapes[0]->id;
+    const auto add = [&](ConstraintKind kind, const SketchPart &part) {
+        REQUIRE(driver.context().applyCommand(addConstraint(driver.document(), kind, {part}), "Add"));
+    };
+    add(ConstraintKind::Fixed, {id, SketchPartKind::Node, 0});
+    add(ConstraintKind::Length, {id, SketchPartKind::Segment, 0});
+    driver.settle();
+    const std::string value = "sketch/" + std::to_string(driver.document().constraints.back()->id) + "/0";
+    REQUIRE(driver.has(value));
+    const PixelRect rect = driver.context().widgets.find(value)->rect;
+    const Pixel middle{rect.x + 0.5 * rect.width, rect.y + 0.5 * rect.height};
+    driver.clickAt(middle);
+    driver.clickAt(middle);
+    driver.settle();
+    driver.key('A', kControl);
+    driver.type("3.5");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(distance(driver.left()[0], driver.left()[1]) == doctest::Approx(3.5));
+    CHECK(driver.left()[0] == Vec2{1, 2});
+    CHECK(driver.right()[0] == driver.left()[1]);
+    CHECK(driver.right()[1] == Vec2{7, 2});
 }
 
 } // namespace forefront::test

@@ -1,4 +1,5 @@
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -53,6 +54,36 @@ TEST_CASE("Relations: corners of rectangles and centres of circles are level wit
     driver.hold(kControl, false);
     clickNear(driver, {7, 4}, {0, 0});
     CHECK(drawn(driver).nodes[0].y != 3.0);
+}
+
+TEST_CASE("Relations: a circle gets the radius of a circle beside it, and Ctrl refuses it") {
+    Draughtsman driver;
+    driver.context().document.apply(*addShape({},
+                                              [] {
+                                                  Shape circle;
+                                                  circle.form = CircleForm{};
+                                                  circle.nodes = {{2.5, 2.5}, {4.5, 2.5}};
+                                                  return circle;
+                                              }()),
+                                    "Draw");
+    driver.context().snapping.infers = true;
+    driver.context().snapping.addsConstraints = true;
+    driver.context().snapping.toGrid = false;
+    driver.settle();
+    driver.key('C');
+    clickNear(driver, {6.1, 5.2}, {0, 0});
+    clickNear(driver, {8.1, 5.2}, {1, 1});
+    CHECK(circleRadius(drawn(driver)) == doctest::Approx(2.0).epsilon(1e-9));
+    REQUIRE(driver.document().constraints.size() == 1);
+    CHECK(driver.document().constraints[0]->kind == ConstraintKind::Equal);
+    driver.key('Z', kControl);
+    driver.key('C');
+    clickNear(driver, {6.1, 5.2}, {0, 0});
+    driver.hold(kControl, true);
+    clickNear(driver, {8.1, 5.2}, {1, 1});
+    driver.hold(kControl, false);
+    CHECK(circleRadius(drawn(driver)) != doctest::Approx(2.0).epsilon(1e-9));
+    CHECK(driver.document().constraints.empty());
 }
 
 TEST_CASE("Relations: the axis of a slot and the first radius of a regular polygon become horizontal") {

@@ -95,6 +95,36 @@ TEST_CASE("trimAt: closed outlines open; circles stay arcs, tags stay with their
     CHECK(codeOf(trimAt(hiding, 1, {4, 2})) == "not-possible");
 }
 
+TEST_CASE("trimAt: a border that shapes share is trimmed from all of them, and what is left stays joined") {
+    const Document document = *addShapes({}, {makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 4}, {0, 4}}),
+                                              makeShape(ShapeKind::Rectangle, {{4, 1}, {7, 3}})});
+    const Result<Document> open = trimAt(document, 1, {4, 2});
+    REQUIRE(open.ok());
+    REQUIRE(open->shapes.size() == 2);
+    CHECK(open->shapes[0]->nodes == std::vector<Vec2>{{4, 3}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 1}});
+    CHECK(open->shapes[0]->isPolyline());
+    REQUIRE(open->shapes[1]->isPolyline());
+    CHECK(open->shapes[1]->nodes == std::vector<Vec2>{{4, 1}, {7, 1}, {7, 3}, {4, 3}});
+    CHECK(open->shapes[1]->nodes == trimAt(document, 2, {4, 2})->shapes[1]->nodes);
+
+    // A stretch beside that the neighbour does not run along, and a locked neighbour, change nothing of it.
+    CHECK(*trimAt(document, 1, {4, 0.5})->shapes[1] == *document.shapes[1]);
+    const Document locked = *setLocked(document, {2}, true);
+    CHECK(*trimAt(locked, 1, {4, 2})->shapes[1] == *locked.shapes[1]);
+
+    // A line that is the border alone goes; a curved border goes from both sides.
+    const Document lines = *addShapes(document, {line({{4, 3}, {4, 1}})});
+    CHECK(trimAt(lines, 1, {4, 2})->shapes.size() == 2);
+    Document round = *addShapes({}, {makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}}), line({{-3, 0}, {3, 0}})});
+    round = *trimAt(round, 1, {0, -2});
+    const Shape half = *round.shapes[0];
+    round = *addShapes(round, {half});
+    const Result<Document> gone = trimAt(*addShapes(round, {line({{0, -1}, {0, 3}})}), 1, {1.4, 1.4});
+    REQUIRE(gone.ok());
+    CHECK(lengthOf(*gone->shapes[0]) == doctest::Approx(std::numbers::pi));
+    CHECK(lengthOf(*gone->shapes[2]) == doctest::Approx(std::numbers::pi));
+}
+
 TEST_CASE("trimAt: a path that crosses itself loses its loop; cubics are cut exactly") {
     Shape loop = line({{0, 0}, {4, 0}, {4, 2}, {2, -2}});
     const Document document = *addShapes({}, {loop});

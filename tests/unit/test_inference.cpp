@@ -1,3 +1,4 @@
+#include "core/drawing/commands/inferred_constraints.hpp"
 #include "core/drawing/picking/inference.hpp"
 #include "core/drawing/picking/pointer_snap.hpp"
 #include "tests/unit/edit_support.hpp"
@@ -6,6 +7,8 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -70,6 +73,36 @@ TEST_CASE("Inference: parallel and perpendicular to a line of the drawing, and i
     const Snapped both = snap(index, drawingFrom({{2, 4}}, {6.03, 5.97}));
     CHECK(kindsOf(both) == Kinds{ConstraintKind::Parallel, ConstraintKind::Equal});
     CHECK(distance(both.at, {6, 6}) < 1e-9);
+}
+
+TEST_CASE("Inference: a circle gets the radius of a circle or an arc near by, and the constraint with it") {
+    Shape arc = makeShape(ShapeKind::Polyline, {{10, 0}, {13, 3}}, ShapeUse::Constraint);
+    arc.path().curves = {Curve::arc({10, 3}, {3, 0}, {0, 3}, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi)};
+    const Document document = documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}}), arc});
+    const PickIndex index(std::make_shared<const Document>(document));
+    const auto rim = [&](Vec2 at) {
+        SnapQuery query;
+        query.at = at;
+        query.tolerance = 0.15;
+        query.infer = InferenceQuery{.starts = {}, .round = Vec2{5, 5}, .reach = 20.0};
+        return snap(index, query);
+    };
+    const Snapped equal = rim({6.25, 6.57});
+    REQUIRE(kindsOf(equal) == Kinds{ConstraintKind::Equal});
+    CHECK(wordsOf(equal) == "equal radius");
+    CHECK(distance(equal.at, {5, 5}) == doctest::Approx(2.0));
+    CHECK((equal.inferred[0].with == SketchPart{1, SketchPartKind::Segment, 0}));
+    CHECK((rim({5, 7.96}).inferred.at(0).with == SketchPart{2, SketchPartKind::Segment, 0}));
+    CHECK(rim({7.5, 5}).kind == SnapKind::None);
+    CHECK(rim({9, 5.01}).kind == SnapKind::None); // level with nothing
+
+    const Document drawn = *addShapes(document, {makeShape(ShapeKind::Circle, {{5, 5}, equal.at})});
+    const InferredNode node{equal.at, equal.inferred, {}};
+    const InferredConstraints constrained = addInferred(drawn, 3, std::span(&node, 1), document);
+    REQUIRE(constrained.added == 1);
+    CHECK(constrained.document.constraints[0]->kind == ConstraintKind::Equal);
+    CHECK(constrained.document.constraints[0]->parts ==
+          std::vector<SketchPart>{{1, SketchPartKind::Segment, 0}, {3, SketchPartKind::Segment, 0}});
 }
 
 TEST_CASE("Inference: level with one node and above another gives their crossing") {

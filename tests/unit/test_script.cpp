@@ -101,6 +101,28 @@ TEST_CASE("Script: shapes and nodes move") {
     CHECK(pulled.shapes[0]->nodes[2] == Vec2{4, 2});
 }
 
+TEST_CASE("Script: what is moved takes along what is joined with it, but alone") {
+    const std::string beside = R"({"command": "add", "shapes": [{"kind": "polygon", "nodes": [[4, 0], [7, 0], [4, 2]]}]}
+        )";
+    const std::string move = R"({"command": "move", "nodes": ["shape/2/node/2"], "by": [1, 0])";
+    const Document joined = plateAfter(beside + move + "}");
+    CHECK(joined.shapes[0]->nodes[1] == Vec2{5, 2});
+    CHECK(joined.shapes[1]->nodes == std::vector<Vec2>{{5, 0}, {7, 0}, {5, 2}}); // the plate stays a rectangle
+    const Document alone = plateAfter(beside + move + R"(, "alone": true})");
+    CHECK(alone.shapes[0]->nodes[1] == Vec2{4, 2});
+    CHECK(alone.shapes[1]->nodes == std::vector<Vec2>{{4, 0}, {7, 0}, {5, 2}});
+    checkContains(plateRefused(R"({"command": "move", "shapes": [1], "by": [1, 0], "alone": 1})"), "\"alone\"");
+
+    const std::string dimension = R"({"command": "parameter", "name": "w", "expression": "4"}
+        {"command": "constrain", "kind": "length", "parts": ["shape/1/segment/0"], "value": "w"}
+        {"command": "constrain", "kind": "fixed", "parts": ["shape/1/node/0"]}
+        {"command": "parameter", "name": "w", "expression": "5"})";
+    const Document wider = plateAfter(beside + dimension);
+    CHECK(wider.shapes[0]->nodes[1].x == doctest::Approx(5.0));
+    CHECK(wider.shapes[1]->nodes[0].x == wider.shapes[0]->nodes[1].x);
+    CHECK(wider.shapes[1]->nodes[2] == wider.shapes[0]->nodes[1]);
+}
+
 TEST_CASE("Script: parameters, dimensions and their formulas") {
     const std::string path = R"({"command": "new"}
         {"command": "add", "shapes": [{"kind": "polygon", "use": "boundary", "tag": 1, "nodes": [[0, 0], [4, 0], [4, 2]]}]}

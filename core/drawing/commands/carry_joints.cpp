@@ -1,6 +1,6 @@
 #include "core/drawing/commands/carry_joints.hpp"
 
-#include "core/drawing/commands/joint_index.hpp"
+#include "core/drawing/joints/joint_index.hpp"
 #include "core/drawing/picking/selected_handles.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
@@ -368,16 +368,6 @@ class SharedSegments {
     Document document_;
     double tolerance_;
 };
-
-} // namespace
-
-double jointTolerance(const Document &document) {
-    const Box2 box = boundsOf(document);
-    constexpr double kWeld = 1e-6;
-    return document.shapes.empty() ? 0.0 : kWeld * length(box.size());
-}
-
-namespace {
 
 Result<Document> carryThrough(const JointIndex &index, const Document &after) {
     Result<Document> next = SharedSegments(index, after).run();

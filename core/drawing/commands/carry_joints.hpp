@@ -22,9 +22,6 @@ class JointIndex;
 /// would have to move. To detach a node, apply the command without this.
 Result<Document> carryJoints(const Document &before, const Document &after);
 
-/// Returns the tolerance within which places of a document are the same: 1e-6 of its diagonal.
-double jointTolerance(const Document &document);
-
 /// The joints of a document, found once so that each step of a drag is cheap. Keeps the document alive.
 class Joints {
   public:

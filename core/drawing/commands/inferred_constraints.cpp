@@ -5,7 +5,9 @@
 #include "core/drawing/constraints/orient.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -42,6 +44,24 @@ class PathParts {
         return std::nullopt;
     }
 
+    /// Returns the circle, or the arc of one, about a place.
+    std::optional<SketchPart> circle(Vec2 centre) const {
+        if (shape_ == nullptr) {
+            return std::nullopt;
+        }
+        if (shape_->is<CircleForm>()) {
+            return SketchPart{shape_->id, SketchPartKind::Segment, 0};
+        }
+        for (std::uint32_t k = 0; isPath(*shape_) && k < shape_->path().curves.size(); ++k) {
+            const Curve &curve = shape_->path().curves[k];
+            const std::array<double, 8> n = curve.numbers();
+            if (radiusOf(curve) && distance({n[0], n[1]}, centre) <= near_) {
+                return SketchPart{shape_->id, SketchPartKind::Segment, k};
+            }
+        }
+        return std::nullopt;
+    }
+
   private:
     const Shape *shape_;
     double near_;
@@ -49,8 +69,9 @@ class PathParts {
 
 /// Returns the parts that a relation ties; empty if one of them does not exist.
 std::vector<SketchPart> partsOf(const PathParts &parts, const InferredNode &node, const Inference &relation) {
-    const std::optional<SketchPart> own =
-        relation.ofLine ? parts.segment(relation.start, node.at) : parts.node(node.at);
+    const std::optional<SketchPart> own = relation.ofRadius ? parts.circle(relation.start)
+                                          : relation.ofLine ? parts.segment(relation.start, node.at)
+                                                            : parts.node(node.at);
     if (!own) {
         return {};
     }

@@ -1,6 +1,7 @@
 #include "core/drawing/commands/trim_commands.hpp"
 
 #include "core/drawing/commands/join_segments.hpp"
+#include "core/drawing/joints/joint_index.hpp"
 #include "core/drawing/shapes/curve_crossings.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
@@ -258,6 +259,75 @@ Result<std::vector<Curve>> partToTrim(const Document &document, std::uint32_t sh
     return curves;
 }
 
+namespace {
+
+/// Removes a stretch of a path; what is left of an open path in two parts becomes two shapes.
+Result<Document> withoutStretch(const Document &document, const Path &path, const PathStretch &stretch) {
+    const double size = path.size();
+    const std::uint32_t id = path.shape.id;
+    std::vector<PathStretch> kept;
+    if (path.outline.closed) {
+        kept.push_back({stretch.to, stretch.from + size});
+    } else {
+        kept = {{0.0, stretch.from}, {stretch.to, size}};
+        std::erase_if(kept, [](const PathStretch &part) { return part.to - part.from <= kApart; });
+    }
+    if (kept.empty()) {
+        Selection whole;
+        whole.shapes = {id};
+        return deleteSelection(document, whole);
+    }
+    Result<Document> next = replaceShape(document, openPart(path, kept.front()));
+    if (next && kept.size() > 1) {
+        next = addShape(*next, openPart(path, kept.back()));
+    }
+    if (!next) {
+        return next;
+    }
+    // The ends become nodes of the shapes that they lie on.
+    Document joined = joinToSegments(*next, id);
+    return kept.size() > 1 ? joinToSegments(joined, document.nextId) : joined;
+}
+
+/// Returns the places of a stretch: its ends, the nodes between them and the middle of each segment, in order.
+std::vector<Vec2> placesOf(const Path &path, const PathStretch &stretch) {
+    std::vector<Vec2> places;
+    visitStretch(path, stretch, [&](std::size_t k, double t0, double t1) {
+        const Curve curve = path.outline.curve(k);
+        if (places.empty()) {
+            places.push_back(curve.point(t0));
+        }
+        places.push_back(curve.point(0.5 * (t0 + t1)));
+        places.push_back(curve.point(t1));
+    });
+    return places;
+}
+
+/// Returns the stretch of a path that has the places of a stretch of another one; none if it does not run along there.
+std::optional<PathStretch> stretchAlong(const Path &path, const std::vector<Vec2> &places, double touch) {
+    std::vector<double> positions;
+    for (const Vec2 place : places) {
+        const double position = path.positionOf(place);
+        const auto k = std::min(static_cast<std::size_t>(position), path.outline.segmentCount() - 1);
+        if (distance(path.outline.curve(k).point(position - static_cast<double>(k)), place) > touch) {
+            return std::nullopt;
+        }
+        positions.push_back(position);
+    }
+    const double low = std::min(positions.front(), positions.back()),
+                 high = std::max(positions.front(), positions.back());
+    const bool between = std::all_of(positions.begin(), positions.end(),
+                                     [&](double at) { return at >= low - kApart && at <= high + kApart; });
+    if (between) {
+        return PathStretch{low, high};
+    }
+    const bool around = std::all_of(positions.begin(), positions.end(),
+                                    [&](double at) { return at <= low + kApart || at >= high - kApart; });
+    return around && path.outline.closed ? std::optional(PathStretch{high, low + path.size()}) : std::nullopt;
+}
+
+} // namespace
+
 Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at) {
     const Result<Path> path = pathOf(document, shape);
     const Result<PathStretch> stretch =
@@ -265,24 +335,21 @@ Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at) 
     if (!stretch) {
         return stretch.faults();
     }
-    const double size = path->size();
-    std::vector<PathStretch> kept;
-    if (path->outline.closed) {
-        kept.push_back({stretch->to, stretch->from + size});
-    } else {
-        kept = {{0.0, stretch->from}, {stretch->to, size}};
-        std::erase_if(kept, [](const PathStretch &part) { return part.to - part.from <= kApart; });
+    const std::vector<Vec2> places = placesOf(*path, *stretch);
+    Result<Document> next = withoutStretch(document, *path, *stretch);
+    for (const auto &other : document.shapes) {
+        const bool apart = other->id == shape || other->hidden || other->locked || other->is<PointForm>();
+        if (!next || apart) {
+            continue;
+        }
+        const Result<Path> beside = pathOf(*next, other->id);
+        const std::optional<PathStretch> same =
+            beside ? stretchAlong(*beside, places, jointTolerance(document)) : std::nullopt;
+        if (same) {
+            next = withoutStretch(*next, *beside, *same);
+        }
     }
-    Result<Document> next = replaceShape(document, openPart(*path, kept.front()));
-    if (next && kept.size() > 1) {
-        next = addShape(*next, openPart(*path, kept.back()));
-    }
-    if (!next) {
-        return next;
-    }
-    // The ends become nodes of the shapes that they lie on.
-    Document joined = joinToSegments(*next, shape);
-    return kept.size() > 1 ? joinToSegments(joined, document.nextId) : joined;
+    return next;
 }
 
 Result<Curve> extensionAt(const Document &document, NodeRef end) {

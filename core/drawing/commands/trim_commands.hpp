@@ -21,7 +21,8 @@ Result<std::vector<double>> crossingsAlong(const Document &document, std::uint32
 Result<std::vector<Curve>> partToTrim(const Document &document, std::uint32_t shape, Vec2 at,
                                       std::span<const double> crossings);
 /// Removes that part. A rectangle, circle or ellipse becomes a path, a closed path opens, and an open one may fall into
-/// two, of which the second gets a new id.
+/// two, of which the second gets a new id. Where other shapes run along the part, which is one border to the eye, they
+/// lose it too, unless they are locked.
 Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at);
 
 /// Returns the piece that extending an open path at one end adds: its last segment continued to the first crossing, an

@@ -1,5 +1,6 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
 
+#include "core/drawing/constraints/conflict.hpp"
 #include "core/drawing/constraints/constraint_equations.hpp"
 #include "core/drawing/constraints/constraint_figures.hpp"
 #include "core/drawing/constraints/settle.hpp"
@@ -190,19 +191,20 @@ Result<Document> addConstraint(const Document &document, SketchConstraint constr
     const std::uint32_t id = constraint.id;
     const std::string name = constraint.name;
     const Document next = with(document, std::move(constraint));
-    const ConstraintJudgement judgement = judgeConstraint(sketchOf(next, document).system, id);
+    const DocumentSketch sketch = sketchOf(next, document, {.places = &next});
+    const ConstraintJudgement judgement = judgeConstraint(sketch.system, id);
     const std::set<std::uint32_t> others(judgement.with.begin(), judgement.with.end());
     if (judgement.verdict == ConstraintVerdict::Redundant) {
         return error("constraint-redundant",
                      others.empty() ? name + " always holds here: the form of the shapes implies it"
-                                    : name + " follows from " + constraintNames(next, others),
+                                    : name + " follows from " + relationNames(sketch, others),
                      "leave it out, or remove one of these first");
     }
     if (judgement.verdict == ConstraintVerdict::Conflict) {
         return error("constraint-conflict",
                      others.empty() ? name + " cannot hold here"
-                                    : name + " cannot hold together with " + constraintNames(next, others),
-                     "change or remove one of these first");
+                                    : name + " cannot hold together with " + relationNames(sketch, others),
+                     clashAdvice(sketch, others));
     }
     return settle(document, next);
 }

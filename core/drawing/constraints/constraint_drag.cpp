@@ -2,10 +2,13 @@
 
 #include "core/drawing/constraints/constraint_equations.hpp"
 #include "core/drawing/shapes/references.hpp"
+#include "core/drawing/sketch/equal_values.hpp"
 #include "core/drawing/sketch/sketch_drag.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -13,8 +16,9 @@ namespace forefront {
 
 class ConstraintDrag::State {
   public:
-    explicit State(std::shared_ptr<const Document> start)
-        : start_(std::move(start)), sketch_(sketchOf(*start_, *start_)), drag_(sketch_.system) {}
+    State(std::shared_ptr<const Document> start, const std::set<NodeRef> &apart)
+        : start_(std::move(start)), sketch_(sketchOf(*start_, *start_, {.places = start_.get(), .apart = apart})),
+          drag_(standing()) {}
 
     Document carry(const Document &moved) {
         const std::vector<double> &start = sketch_.system.values;
@@ -30,10 +34,15 @@ class ConstraintDrag::State {
                 pulls.push_back({index, *place});
             }
         }
+        release(pulls);
         drag_.pull(pulls); // if it fails, the values are those of the step before
+        std::vector<double> solved = drag_.values();
+        if (solved != start) {
+            equalise(solved);
+        }
         std::map<std::uint32_t, std::map<ShapeUnknown, double>> changes;
         for (const auto &[unknown, index] : sketch_.unknowns()) {
-            changes[unknown.shape].emplace(unknown, drag_.values()[index]);
+            changes[unknown.shape].emplace(unknown, solved[index]);
         }
         Document next = moved;
         for (const auto &[id, values] : changes) {
@@ -48,6 +57,41 @@ class ConstraintDrag::State {
     }
 
   private:
+    /// Returns the sketch in which the segments that it lies on stand still, but for those that are pulled.
+    SketchSystem standing() const {
+        SketchSystem system = sketch_.system;
+        for (const std::uint32_t unknown : sketch_.standing) {
+            system.held[unknown] = system.held[unknown] || !released_.contains(unknown);
+        }
+        return system;
+    }
+
+    /// Gives numbers that must be equal the same bits, where they have moved.
+    void equalise(std::vector<double> &values) const {
+        const SketchSystem &system = sketch_.system;
+        std::vector<std::uint32_t> moved;
+        for (std::uint32_t k = 0; k < system.equations.size(); ++k) {
+            const auto used = system.equations[k].used();
+            if (std::any_of(used.begin(), used.end(), [&](std::uint32_t u) { return values[u] != system.values[u]; })) {
+                moved.push_back(k);
+            }
+        }
+        equaliseValues(system, moved, values, [](std::uint32_t) { return 0; });
+    }
+
+    /// Lets segments move that stood still and are pulled themselves.
+    void release(const std::vector<SketchPull> &pulls) {
+        const std::size_t before = released_.size();
+        for (const SketchPull &pull : pulls) {
+            if (std::find(sketch_.standing.begin(), sketch_.standing.end(), pull.unknown) != sketch_.standing.end()) {
+                released_.insert(pull.unknown);
+            }
+        }
+        if (released_.size() > before) {
+            drag_ = SketchDrag(standing());
+        }
+    }
+
     static bool differs(const Shape &shape, const std::map<ShapeUnknown, double> &values) {
         for (const auto &[unknown, value] : values) {
             if (valueOf(shape, unknown.role, unknown.index) != value) {
@@ -59,11 +103,12 @@ class ConstraintDrag::State {
 
     std::shared_ptr<const Document> start_;
     DocumentSketch sketch_;
+    std::set<std::uint32_t> released_; ///< unknowns of `standing` that were pulled
     SketchDrag drag_;
 };
 
-ConstraintDrag::ConstraintDrag(std::shared_ptr<const Document> start)
-    : state_(std::make_unique<State>(std::move(start))) {}
+ConstraintDrag::ConstraintDrag(std::shared_ptr<const Document> start, const std::set<NodeRef> &apart)
+    : state_(std::make_unique<State>(std::move(start), apart)) {}
 ConstraintDrag::~ConstraintDrag() = default;
 ConstraintDrag::ConstraintDrag(ConstraintDrag &&) noexcept = default;
 ConstraintDrag &ConstraintDrag::operator=(ConstraintDrag &&) noexcept = default;

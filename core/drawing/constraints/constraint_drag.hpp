@@ -1,16 +1,20 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
+#include "core/drawing/shapes/references.hpp"
 
 #include <memory>
+#include <set>
 
 namespace forefront {
 
 /// A drag of shapes that constraints bind, from the document where it began. Each step gives the solution nearest to
-/// that document, with what is dragged near the pointer, so that the way back leads to the same drawing.
+/// that document, with what is dragged near the pointer, so that the way back leads to the same drawing. Joints hold,
+/// see settle().
 class ConstraintDrag {
   public:
-    explicit ConstraintDrag(std::shared_ptr<const Document> start);
+    /// `apart`: nodes that leave the joints with others.
+    explicit ConstraintDrag(std::shared_ptr<const Document> start, const std::set<NodeRef> &apart = {});
     ~ConstraintDrag();
     ConstraintDrag(ConstraintDrag &&) noexcept;
     ConstraintDrag &operator=(ConstraintDrag &&) noexcept;

@@ -422,14 +422,14 @@ double measured(DocumentSketch &sketch, const SketchConstraint &constraint) {
     }
 }
 
-DocumentSketch sketchOf(const Document &document, const Document &start) {
+DocumentSketch sketchOf(const Document &document, const Document &start, const JointSource &joints) {
     DocumentSketch sketch(document);
     for (const auto &constraint : document.constraints) {
         if (partsFault(document, constraint->kind, constraint->parts).empty()) {
             addEquations(sketch, *constraint, start);
         }
     }
-    sketch.finish();
+    sketch.finish(joints);
     return sketch;
 }
 

@@ -16,7 +16,7 @@ SketchConstraint oriented(DocumentSketch &sketch, SketchConstraint constraint);
 /// 180. The dimension must be oriented.
 double measured(DocumentSketch &sketch, const SketchConstraint &constraint);
 
-/// Returns the sketch of all constraints of a document whose parts fit.
-DocumentSketch sketchOf(const Document &document, const Document &start);
+/// Returns the sketch of all constraints of a document whose parts fit, with joints.
+DocumentSketch sketchOf(const Document &document, const Document &start, const JointSource &joints);
 
 } // namespace forefront

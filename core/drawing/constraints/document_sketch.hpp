@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/constraints/shape_unknowns.hpp"
+#include "core/drawing/constraints/sketch_joints.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/sketch/sketch_system.hpp"
 
@@ -39,6 +40,11 @@ class DocumentSketch {
 
     const Document &document() const { return document_; }
     SketchSystem system;
+    std::vector<SketchJoint> joints; ///< whose equations belong to the constraints jointId(0), jointId(1), and so on
+    /// Unknowns of segments that nodes of the sketch lie on, and of what is joined with these. They should stay as they
+    /// are where there is a solution without moving them.
+    std::vector<std::uint32_t> standing;
+    std::uint32_t jointId(std::size_t joint) const { return document_.nextId + static_cast<std::uint32_t>(joint); }
 
     SketchPoint point(const SketchPart &part);
     /// Returns two points on a line: the ends of a segment. For the side of a slot these are the points where its ends
@@ -53,8 +59,8 @@ class DocumentSketch {
     SketchPoint centre(const SketchPart &part);
 
     /// Adds the equations of numbers with formulas that are no unknowns themselves, such as the width of a rectangle,
-    /// and the corners, edges and radii to be kept. To be called after all parts.
-    void finish();
+    /// those of joints, and the corners, edges and radii to be kept. To be called after all parts.
+    void finish(const JointSource &source = {});
 
     /// Returns the index of an unknown, if the sketch has it.
     std::optional<std::uint32_t> find(const ShapeUnknown &unknown) const;
@@ -90,6 +96,7 @@ class DocumentSketch {
     std::map<SketchPart, Ends> sides_;          ///< of slots
     std::set<std::pair<std::uint32_t, std::uint32_t>> arcs_;
     std::set<std::uint32_t> ellipses_, shapes_;
+    std::set<NumberAddress> lengths_; ///< with formulas, whose equations have been added
     std::optional<SketchPoint> zero_, origin_, alongX_, alongY_;
     bool holdsNumbers_ = false;
 };

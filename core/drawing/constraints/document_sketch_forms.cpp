@@ -17,8 +17,15 @@ std::uint32_t nodeOfCorner(std::uint32_t corner, bool across) {
 
 } // namespace
 
-void DocumentSketch::finish() {
-    holdFormulas();
+void DocumentSketch::finish(const JointSource &source) {
+    JointFinder finder(*this, source);
+    std::size_t known = 0;
+    do { // formulas may bring in further nodes
+        known = system.values.size();
+        finder.find();
+        holdFormulas();
+    } while (known != system.values.size());
+    finder.write();
     for (const std::uint32_t id : std::set<std::uint32_t>(shapes_)) {
         addGuards(shapeOf(id));
     }
@@ -45,7 +52,7 @@ void DocumentSketch::holdFormula(const NumberAddress &address) {
     const auto length = [&](double value) { // of the difference of the nodes of a rectangle along one axis
         const bool across = address.quantity == Quantity::Width;
         const auto a = find({id, across ? Role::X : Role::Y, 0}), b = find({id, across ? Role::X : Role::Y, 1});
-        if (a && b) {
+        if (a && b && lengths_.insert(address).second) {
             system.addEquation(makeDifference(*a, *b, std::fabs(value), value < 0.0 ? -1.0 : 1.0), 0);
             holdsNumbers_ = true;
         }
@@ -79,6 +86,9 @@ void DocumentSketch::holdFormula(const NumberAddress &address) {
         length(shape.nodes[1].y - shape.nodes[0].y);
         break;
     case Quantity::Length: {
+        if (!lengths_.insert(address).second) {
+            break;
+        }
         const SketchPoint a = node(shape, 0), b = node(shape, 1);
         system.addEquation(makeDistance(a, b, distance(shape.nodes[0], shape.nodes[1])), 0);
         holdsNumbers_ = true;
@@ -86,6 +96,9 @@ void DocumentSketch::holdFormula(const NumberAddress &address) {
     }
     case Quantity::Rx:
     case Quantity::Ry: {
+        if (!lengths_.insert(address).second) {
+            break;
+        }
         const std::uint32_t k = address.quantity == Quantity::Rx ? 1 : 2;
         const Axes all = axes(shape);
         if (!zero_) {

@@ -1,11 +1,14 @@
 #include "core/drawing/constraints/settle.hpp"
 
+#include "core/drawing/constraints/conflict.hpp"
 #include "core/drawing/constraints/constraint_equations.hpp"
 #include "core/drawing/constraints/orient.hpp"
+#include "core/drawing/constraints/sketch_parts.hpp"
+#include "core/drawing/joints/joint_index.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
-#include "core/drawing/sketch/judge_constraint.hpp"
+#include "core/drawing/sketch/equal_values.hpp"
 #include "core/drawing/sketch/sketch_drag.hpp"
 #include "core/drawing/sketch/solve_sketch.hpp"
 
@@ -41,12 +44,39 @@ std::set<std::uint32_t> changedConstraints(const Document &before, const Documen
     return changed;
 }
 
+/// Returns the nodes that a command has moved, and the arcs that it has bent, of shapes that have the same nodes
+/// otherwise.
+std::set<SketchPart> movedParts(const Document &before, const Document &next) {
+    std::set<SketchPart> moved;
+    for (const auto &shape : next.shapes) {
+        const Shape *const old = findShape(before, shape->id);
+        if (old == nullptr || old == shape.get() || !canJoin(*shape) || old->form.index() != shape->form.index()) {
+            continue;
+        }
+        const std::vector<Vec2> from = handlesOf(*old), to = handlesOf(*shape);
+        for (std::uint32_t k = 0; k < to.size() && from.size() == to.size(); ++k) {
+            if (from[k] != to[k]) {
+                moved.insert({shape->id, SketchPartKind::Node, k});
+            }
+        }
+        for (std::uint32_t k = 0; isPath(*shape) && k < shape->path().curves.size(); ++k) {
+            const SketchPart arc{shape->id, SketchPartKind::Segment, k};
+            const bool known = from.size() == to.size() && k < old->path().curves.size();
+            if (known && old->path().curves[k] != shape->path().curves[k] &&
+                formOfPart(next, arc) == PartForm::Circle && formOfPart(before, arc) == PartForm::Circle) {
+                moved.insert(arc);
+            }
+        }
+    }
+    return moved;
+}
+
 /// Solves what a command changed, one independent part of the sketch at a time.
 class Settler {
   public:
-    Settler(const Document &before, const Document &next)
+    Settler(const Document &before, const Document &next, const JointSource &joints)
         : before_(before), next_(next), changedConstraints_(changedConstraints(before, next)),
-          sketch_(sketchOf(next, before)), values_(sketch_.system.values) {
+          sketch_(sketchOf(next, before, joints)), values_(sketch_.system.values) {
         findMoved();
     }
 
@@ -55,7 +85,7 @@ class Settler {
             if (!isChanged(part) || rests(part)) {
                 continue;
             }
-            const std::optional<std::vector<double>> solved = solve(part);
+            const std::optional<std::vector<double>> solved = solve(only(part));
             if (!solved) {
                 return conflict(part);
             }
@@ -66,7 +96,7 @@ class Settler {
 
   private:
     /// Takes the solution of a part. Numbers with given values get these exactly, not up to the tolerance, and numbers
-    /// that must be equal the same bits: coincident nodes are one node of the domain only then.
+    /// that must be equal the same bits.
     void take(const std::vector<std::uint32_t> &part, const std::vector<double> &solved) {
         for (const std::uint32_t k : part) {
             for (const std::uint32_t unknown : sketch_.system.equations[k].used()) {
@@ -79,48 +109,9 @@ class Settler {
                 values_[equation.unknowns[0]] = equation.value;
             }
         }
-        equalise(part);
-    }
-
-    /// Gives the unknowns of each group that equations make equal the value of one of them.
-    void equalise(const std::vector<std::uint32_t> &part) {
-        std::map<std::uint32_t, std::uint32_t> leader;
-        std::set<std::uint32_t> given;
-        const auto leaderOf = [&](std::uint32_t unknown) {
-            for (auto up = leader.find(unknown); up != leader.end(); up = leader.find(unknown)) {
-                unknown = up->second;
-            }
-            return unknown;
-        };
-        for (const std::uint32_t k : part) {
-            const SketchEquation &equation = sketch_.system.equations[k];
-            if (equation.kind == EquationKind::Value) {
-                given.insert(equation.unknowns[0]);
-            }
-        }
-        // What is held or given leads, then what the command put where it is.
-        const auto rank = [&](std::uint32_t unknown) {
-            const bool fixed = sketch_.system.held[unknown] || given.contains(unknown);
-            return fixed ? 0 : moved_[unknown] && values_[unknown] == sketch_.system.values[unknown] ? 1 : 2;
-        };
-        for (const std::uint32_t k : part) {
-            const SketchEquation &equation = sketch_.system.equations[k];
-            if (equation.kind != EquationKind::Equal) {
-                continue;
-            }
-            std::uint32_t a = leaderOf(equation.unknowns[0]), b = leaderOf(equation.unknowns[1]);
-            if (a != b) {
-                if (std::pair(rank(b), b) < std::pair(rank(a), a)) {
-                    std::swap(a, b);
-                }
-                leader[b] = a;
-            }
-        }
-        for (const auto &[unknown, above] : leader) {
-            if (!sketch_.system.held[unknown]) {
-                values_[unknown] = values_[leaderOf(above)];
-            }
-        }
+        equaliseValues(sketch_.system, part, values_, [&](std::uint32_t unknown) { // where the command put it
+            return moved_[unknown] && values_[unknown] == sketch_.system.values[unknown] ? 1 : 2;
+        });
     }
 
     /// Finds the unknowns that the command changed, and their values before it.
@@ -178,33 +169,87 @@ class Settler {
         return system;
     }
 
-    /// Solves a part, with points on Bézier curves between the ends of these.
-    std::optional<std::vector<double>> solve(const std::vector<std::uint32_t> &part) const {
-        SketchSystem system = only(part);
-        std::optional<std::vector<double>> solved = solveFreely(system);
-        if (!solved) {
-            return solved;
+    /// Solves a part. What stands by it moves only if it must.
+    std::optional<std::vector<double>> solve(const SketchSystem &system) const {
+        SketchSystem firm = system;
+        bool any = false;
+        for (const std::uint32_t unknown : sketch_.standing) {
+            any = any || !firm.held[unknown];
+            firm.held[unknown] = firm.held[unknown] || !moved_[unknown];
         }
-        bool beyond = false;
-        for (const SketchEquation &equation : system.equations) {
-            const std::uint32_t t = equation.unknowns[1];
-            if (equation.kind == EquationKind::OnCubic && std::clamp((*solved)[t], 0.0, 1.0) != (*solved)[t]) {
-                (*solved)[t] = std::clamp((*solved)[t], 0.0, 1.0);
-                system.held[t] = beyond = true;
+        std::optional<SketchSolution> solution = any ? solveWithin(firm, SolveEffort::Plain) : std::nullopt;
+        if (!solution || solution->flips > 0) {
+            std::optional<SketchSolution> free = solveWithin(system, SolveEffort::Full);
+            if (free && (!solution || free->flips < solution->flips)) {
+                solution = std::move(free);
             }
         }
-        if (!beyond) {
-            return solved;
-        }
-        system.values = *std::move(solved);
-        std::optional<SketchSolution> within = solveSketch(system);
-        return within ? std::optional(std::move(within->values)) : std::nullopt;
+        return solution ? std::optional(std::move(solution->values)) : std::nullopt;
     }
 
-    std::optional<std::vector<double>> solveFreely(const SketchSystem &system) const {
+    /// Solves a system, with points on Bézier curves and ends of lines on segments between the ends of these.
+    std::optional<SketchSolution> solveWithin(SketchSystem system, SolveEffort effort) const {
+        std::optional<SketchSolution> solution = solveFreely(system, effort);
+        if (!solution || !limit(system, solution->values)) {
+            return solution;
+        }
+        system.values = std::move(solution->values);
+        return solveSketch(system, effort);
+    }
+
+    /// Holds what a solution has put beyond the ends of a curve at its nearest end. Returns false if there is none.
+    bool limit(SketchSystem &system, std::vector<double> &values) const {
+        bool beyond = false;
+        for (SketchEquation &equation : system.equations) {
+            if (equation.kind == EquationKind::OnCubic) {
+                double &t = values[equation.unknowns[1]];
+                if (std::clamp(t, 0.0, 1.0) != t) {
+                    t = std::clamp(t, 0.0, 1.0);
+                    system.held[equation.unknowns[1]] = beyond = true;
+                }
+            }
+        }
+        std::vector<SketchEquation> ends;
+        for (SketchEquation &equation : system.equations) {
+            if (const std::optional<std::size_t> end = endBeyond(equation, values)) {
+                const auto &u = equation.unknowns;
+                ends.push_back(makeEqual(u[1], u[2 * *end + 3]));
+                ends.back().constraint = equation.constraint;
+                const std::uint32_t constraint = equation.constraint;
+                equation = makeEqual(u[0], u[2 * *end + 2]);
+                equation.constraint = constraint;
+                beyond = true;
+            }
+        }
+        system.equations.insert(system.equations.end(), ends.begin(), ends.end());
+        return beyond;
+    }
+
+    /// Returns the end, 0 or 1, of a segment beyond which a solution has put the end of an open path that was on it.
+    std::optional<std::size_t> endBeyond(const SketchEquation &equation, const std::vector<double> &values) const {
+        const std::uint32_t joint = equation.constraint - sketch_.jointId(0);
+        if (equation.kind != EquationKind::PointLine || joint >= sketch_.joints.size()) {
+            return std::nullopt;
+        }
+        const SketchPart &node = sketch_.joints[joint].node;
+        const Shape &shape = *findShape(next_, node.shape);
+        if (!shape.isPolyline() || (node.index != 0 && node.index + 1 != shape.nodes.size())) {
+            return std::nullopt;
+        }
+        const auto place = [&](std::size_t k) {
+            return Vec2{values[equation.unknowns[k]], values[equation.unknowns[k + 1]]};
+        };
+        const Vec2 a = place(2), along = place(4) - a;
+        const double t = dot(place(0) - a, along) / lengthSquared(along);
+        constexpr double kBeyond = 1e-9;
+        return t < -kBeyond        ? std::optional<std::size_t>(0)
+               : t > 1.0 + kBeyond ? std::optional<std::size_t>(1)
+                                   : std::nullopt;
+    }
+
+    std::optional<SketchSolution> solveFreely(const SketchSystem &system, SolveEffort effort) const {
         if (hasChangedConstraint(system)) {
-            std::optional<SketchSolution> solution = solveSketch(system);
-            return solution ? std::optional(std::move(solution->values)) : std::nullopt;
+            return solveSketch(system, effort);
         }
         // What the command put somewhere stays there, and the rest follows from where it was.
         SketchSystem firm = system;
@@ -212,15 +257,14 @@ class Settler {
             firm.held[k] = firm.held[k] || moved_[k];
             firm.values[k] = moved_[k] ? system.values[k] : start_[k];
         }
-        const auto valuesOf = [](std::optional<SketchSolution> solution) {
-            return solution ? std::optional(std::move(solution->values)) : std::nullopt;
-        };
         std::optional<SketchSolution> followed = solveSketch(firm, SolveEffort::Plain);
         if (followed && followed->flips == 0) {
-            return valuesOf(std::move(followed));
+            return followed;
         }
-        std::optional<std::vector<double>> dragged = drag(system);
-        return dragged ? dragged : valuesOf(followed ? std::move(followed) : solveSketch(firm));
+        if (std::optional<std::vector<double>> dragged = drag(system)) {
+            return SketchSolution{*std::move(dragged), 0};
+        }
+        return followed || effort == SolveEffort::Plain ? std::move(followed) : solveSketch(firm);
     }
 
     /// Pulls the moved unknowns to their places, as far as the constraints let them go.
@@ -250,44 +294,24 @@ class Settler {
         return drag.pull(pulls) ? std::optional(drag.values()) : std::nullopt;
     }
 
-    /// Names constraints of a part that cannot hold together, as few as possible.
+    /// Names constraints and joints of a part that cannot hold together, as few as possible.
     Diagnostics conflict(const std::vector<std::uint32_t> &part) const {
-        const SketchSystem system = only(part);
-        std::set<std::uint32_t> candidates, all;
-        for (const SketchEquation &equation : system.equations) {
-            if (equation.constraint != 0) {
-                all.insert(equation.constraint);
-            }
-        }
-        std::set_intersection(all.begin(), all.end(), changedConstraints_.begin(), changedConstraints_.end(),
-                              std::inserter(candidates, candidates.end()));
-        std::set<std::uint32_t> smallest = all;
-        for (const std::uint32_t id : candidates.empty() ? violated(system) : candidates) {
-            const ConstraintJudgement judgement = judgeConstraint(system, id);
-            if (judgement.verdict == ConstraintVerdict::Conflict && judgement.with.size() + 1 <= smallest.size()) {
-                smallest.clear();
-                smallest.insert(judgement.with.begin(), judgement.with.end());
-                smallest.insert(id);
-            }
-        }
-        const std::string names = constraintNames(next_, smallest);
+        const std::set<std::uint32_t> clash = smallestClash(only(part), changedConstraints_);
+        const std::string names = relationNames(sketch_, clash);
         const std::string held = sketch_.holdsNumbers() ? " where formulas and locked shapes hold their parts" : "";
-        return smallest.size() == 1
-                   ? error("constraint-conflict", "constraint " + names + " cannot hold" + held,
-                           "change it or remove it")
-                   : error("constraint-conflict", "constraints " + names + " cannot hold together" + held,
-                           "change or remove one of them");
+        if (clash.size() > 1) {
+            return error("constraint-conflict", namedConstraints(names, clash) + " cannot hold together" + held,
+                         clashAdvice(sketch_, clash));
+        }
+        return error("constraint-conflict", namedConstraints(names, clash) + " cannot hold" + held,
+                     clash.empty() || *clash.begin() < sketch_.jointId(0) ? "change it or remove it"
+                                                                          : clashAdvice(sketch_, clash));
     }
 
-    static std::set<std::uint32_t> violated(const SketchSystem &system) {
-        constexpr double kClear = 1e-9;
-        std::set<std::uint32_t> ids;
-        for (const SketchEquation &equation : system.equations) {
-            if (equation.constraint != 0 && std::fabs(system.residual(equation)) > kClear) {
-                ids.insert(equation.constraint);
-            }
-        }
-        return ids;
+    /// Puts "constraint" or "constraints" before names of which the first is that of a constraint.
+    std::string namedConstraints(const std::string &names, const std::set<std::uint32_t> &ids) const {
+        const auto count = std::count_if(ids.begin(), ids.end(), [&](auto id) { return id < sketch_.jointId(0); });
+        return (count > 1 ? "constraints " : count == 1 ? "constraint " : "") + names;
     }
 
     /// Returns the solved document, if its shapes are valid.
@@ -318,17 +342,17 @@ class Settler {
         return settled;
     }
 
-    /// Returns the first segment of a path that has lost its length.
+    /// Returns the first segment of a path or rectangle that has lost its length.
     static std::optional<std::size_t> vanishedSegment(const Shape &before, const Shape &after) {
         constexpr double kVanished = 1e-6; // of the length before
-        if (!isPath(before) || before.nodes.size() != after.nodes.size()) {
+        if (handleCount(before) != handleCount(after)) {
             return std::nullopt;
         }
-        const std::size_t count = before.nodes.size() - (isClosed(before) ? 0 : 1);
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t end = (k + 1) % before.nodes.size();
-            const double length = distance(before.nodes[k], before.nodes[end]);
-            if (length > 0.0 && distance(after.nodes[k], after.nodes[end]) <= kVanished * length) {
+        const std::vector<Vec2> from = handlesOf(before), to = handlesOf(after);
+        for (std::size_t k = 0; k < sideCount(before); ++k) {
+            const std::size_t end = (k + 1) % from.size();
+            const double length = distance(from[k], from[end]);
+            if (length > 0.0 && distance(to[k], to[end]) <= kVanished * length) {
                 return k;
             }
         }
@@ -356,21 +380,18 @@ Result<Document> settle(const Document &before, const Document &next) {
         (before.constraints == next.constraints && before.shapes == next.shapes && before.formulas == next.formulas)) {
         return next;
     }
-    return Settler(before, next).run();
+    return Settler(before, next, {.places = &next}).run();
 }
 
-std::string constraintNames(const Document &document, const std::set<std::uint32_t> &ids) {
-    std::vector<std::string> names;
-    for (const auto &constraint : document.constraints) {
-        if (ids.contains(constraint->id)) {
-            names.push_back(constraint->name);
-        }
+Result<Document> settleTogether(const Document &before, const Document &next) {
+    if (before.constraints == next.constraints && before.shapes == next.shapes) {
+        return next;
     }
-    std::string text;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+    JointSource joints{.places = &before, .moved = movedParts(before, next)};
+    if (next.constraints.empty() && joints.moved.empty()) {
+        return next;
     }
-    return text;
+    return Settler(before, next, joints).run();
 }
 
 } // namespace forefront

@@ -13,16 +13,21 @@
 namespace forefront {
 namespace {
 
-/// Returns the points, segments and centres of the shapes that constraints name.
-std::set<SketchPart> partsOfSketch(const Document &document) {
+/// Returns the ids of the shapes that constraints name.
+std::set<std::uint32_t> shapesOfSketch(const Document &document) {
     std::set<std::uint32_t> shapes;
     for (const auto &constraint : document.constraints) {
         for (const SketchPart &part : constraint->parts) {
             shapes.insert(part.shape);
         }
     }
+    return shapes;
+}
+
+/// Returns the points, segments and centres of the shapes that constraints name.
+std::set<SketchPart> partsOfSketch(const Document &document) {
     std::set<SketchPart> parts;
-    for (const std::uint32_t id : shapes) {
+    for (const std::uint32_t id : shapesOfSketch(document)) {
         const Shape *const shape = findShape(document, id);
         for (std::uint32_t k = 0; shape != nullptr && k < handleCount(*shape); ++k) {
             parts.insert({id, SketchPartKind::Node, k});
@@ -33,6 +38,22 @@ std::set<SketchPart> partsOfSketch(const Document &document) {
     }
     std::erase_if(parts, [&](const SketchPart &part) { return formOfPart(document, part) == PartForm::None; });
     return parts;
+}
+
+/// Returns how many degrees of freedom the shapes have that no constraint names, where those that constraints name do
+/// not move.
+std::size_t degreesBeside(const DocumentSketch &sketch, const Document &document) {
+    const std::set<std::uint32_t> named = shapesOfSketch(document);
+    SketchSystem system = sketch.system;
+    system.held.assign(system.held.size(), true);
+    bool any = false;
+    for (const auto &[unknown, index] : sketch.unknowns()) {
+        if (!named.contains(unknown.shape)) {
+            system.held[index] = sketch.system.held[index];
+            any = true;
+        }
+    }
+    return any ? freedomOf(system).degrees : 0;
 }
 
 } // namespace
@@ -52,9 +73,9 @@ SketchState sketchState(const Document &document) {
     for (const SketchPart &part : partsOfSketch(document)) {
         unknowns.emplace(part, sketch.unknownsOf(part));
     }
-    sketch.finish();
+    sketch.finish({.places = &document});
     const SketchFreedom freedom = freedomOf(sketch.system);
-    state.degrees = freedom.degrees;
+    state.degrees = freedom.degrees - degreesBeside(sketch, document);
     state.redundant.insert(freedom.redundant.begin(), freedom.redundant.end());
     for (const auto &[part, list] : unknowns) {
         state.determined.emplace(

@@ -147,9 +147,9 @@ namespace {
 
 /// Lets the constraints follow numbers that formulas have set.
 Result<Document> settledAfter(const Document &before, const Document &next, NumberAddress &failed) {
-    Result<Document> settled = settle(before, next);
+    Result<Document> settled = settleTogether(before, next);
     for (const auto &[address, text] : next.formulas) {
-        if (!settled || before.constraints.empty()) {
+        if (!settled || settled->shapes == next.shapes) {
             break;
         }
         const std::optional<double> value = readNumber(next, address);

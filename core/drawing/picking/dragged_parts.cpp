@@ -1,6 +1,7 @@
 #include "core/drawing/picking/dragged_parts.hpp"
 
 #include "core/drawing/picking/selected_handles.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 
 namespace forefront {
 namespace {
@@ -49,6 +50,30 @@ PickIndex::Filter targetsOfDrag(const Document &document, const Selection &dragg
     PickIndex::Filter filter([shapes = std::move(shapes)](const Shape &shape) { return !shapes.contains(shape.id); });
     filter.ignored = std::move(ignored);
     return filter;
+}
+
+std::set<NodeRef> nodesMovedWith(const Document &document, const Selection &selection) {
+    std::set<NodeRef> nodes;
+    const auto add = [&](const Shape &shape, const std::set<std::uint32_t> &handles, bool all) {
+        // A corner of a rectangle moves its neighbours, and the handles of round shapes each other.
+        const bool whole = all || !isPath(shape);
+        for (std::uint32_t k = 0; k < handleCount(shape); ++k) {
+            if (whole || handles.contains(k)) {
+                nodes.insert({shape.id, k});
+            }
+        }
+    };
+    for (const std::uint32_t id : selection.shapes) {
+        if (const Shape *const shape = findShape(document, id)) {
+            add(*shape, {}, true);
+        }
+    }
+    for (const auto &[id, handles] : handlesToMove(document, selection)) {
+        if (const Shape *const shape = findShape(document, id)) {
+            add(*shape, handles, false);
+        }
+    }
+    return nodes;
 }
 
 std::vector<Vec2> linesToNode(const Document &document, const Selection &dragged, NodeRef node) {

@@ -2,6 +2,7 @@
 
 #include "core/drawing/picking/pick_index.hpp"
 
+#include <set>
 #include <vector>
 
 namespace forefront {
@@ -13,5 +14,9 @@ PickIndex::Filter targetsOfDrag(const Document &document, const Selection &dragg
 
 /// Returns the other ends of the straight segments that follow a dragged node.
 std::vector<Vec2> linesToNode(const Document &document, const Selection &dragged, NodeRef node);
+
+/// Returns the nodes that move when a selection is moved, those of whole shapes and the neighbours of a corner of a
+/// rectangle included.
+std::set<NodeRef> nodesMovedWith(const Document &document, const Selection &selection);
 
 } // namespace forefront

@@ -81,7 +81,10 @@ class LocusFinder {
                 offerLengths(start);
             }
         }
-        offerNodes();
+        offerRadii();
+        if (!query_.round || !query_.starts.empty()) { // a point on a circle is level with nothing
+            offerNodes();
+        }
         return std::move(loci_);
     }
 
@@ -151,6 +154,29 @@ class LocusFinder {
         if (best != nullptr) {
             Inference relation{ConstraintKind::Equal, true, start, best->part, best->own};
             loci_.push_back({std::move(relation), start, {}, distance(best->a, best->b)});
+        }
+    }
+
+    /// Adds the circle of the radius of another one that is nearest to that of the circle being drawn.
+    void offerRadii() {
+        if (!query_.round || distance(*query_.round, at_) <= 2.0 * near_) {
+            return;
+        }
+        const double reach = distance(*query_.round, at_);
+        std::optional<PickIndex::CircleHit> best;
+        double limit = std::min(near_, kEqualShare * reach);
+        for (const PickIndex::CircleHit &hit : index_.circlesNear(at_, query_.reach + reach, kMaxLines, filter_)) {
+            const double away = std::fabs(hit.radius - reach);
+            if (away < limit) {
+                limit = away;
+                best = hit;
+            }
+        }
+        if (best) {
+            Inference relation{ConstraintKind::Equal, true, *query_.round};
+            relation.with = SketchPart{best->ref.shape, SketchPartKind::Segment, best->ref.segment};
+            relation.ofRadius = true;
+            loci_.push_back({std::move(relation), *query_.round, {}, best->radius});
         }
     }
 
@@ -247,7 +273,7 @@ std::string wordsOf(const Inference &inference) {
     case ConstraintKind::Tangent:
         return "tangent";
     default:
-        return "equal length";
+        return inference.ofRadius ? "equal radius" : "equal length";
     }
 }
 

@@ -20,6 +20,7 @@ struct Inference {
     std::optional<SketchPart> with{};
     /// The segment of the path being drawn that is the other line: its index there.
     std::optional<std::uint32_t> withOwn{};
+    bool ofRadius = false; ///< Equal: of the circle about `start` through the node, with the circle or arc `with`
 
     friend bool operator==(const Inference &, const Inference &) = default;
 };
@@ -29,6 +30,7 @@ struct InferenceQuery {
     std::vector<Vec2> starts; ///< of straight lines to the node: the last node drawn, or the neighbours of one dragged
     std::vector<Vec2> path{}; ///< nodes of the path being drawn, in order, the last one included
     std::vector<bool> straight{};  ///< for each segment of this path, whether it is straight; empty: all are
+    std::optional<Vec2> round{};   ///< centre of the circle or arc that the node gives the radius
     std::optional<Vec2> arrival{}; ///< direction in which the curve before arrives at the last node
     double reach = 0.0;            ///< distance up to which other lines and nodes count, domain units
 };
@@ -40,8 +42,8 @@ struct InferredPlace {
 };
 
 /// Returns the place within a tolerance that fulfils relations: those of a line first (perpendicular, horizontal and
-/// vertical, parallel, tangent, equal length), then co-ordinates of other nodes. Directions count within 3 degrees
-/// (horizontal and vertical), 4 (tangent) or 2. None if it fulfils none.
+/// vertical, parallel, tangent, equal length), equal radii, then co-ordinates of other nodes. Directions count within 3
+/// degrees (horizontal and vertical), 4 (tangent) or 2. None if it fulfils none.
 std::optional<InferredPlace> inferRelations(const PickIndex &index, const PickIndex::Filter &filter,
                                             const InferenceQuery &query, Vec2 at, double tolerance);
 

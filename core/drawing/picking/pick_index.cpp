@@ -1,11 +1,13 @@
 #include "core/drawing/picking/pick_index.hpp"
 
+#include "core/engine/geometry/path_curve.hpp"
 #include "core/engine/geometry/polygon.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace forefront {
@@ -155,6 +157,28 @@ std::vector<SegmentHit> PickIndex::linesNear(Vec2 p, double reach, std::size_t m
         return ++searched < kMaxSearched;
     });
     keepNearest(hits, most);
+    return hits;
+}
+
+std::vector<PickIndex::CircleHit> PickIndex::circlesNear(Vec2 p, double reach, std::size_t most,
+                                                         const Filter &filter) const {
+    std::vector<CircleHit> hits;
+    std::size_t searched = 0;
+    lineTree_.search(boxAround(p, reach), [&](std::uint32_t item) {
+        const Entry &entry = lines_[item];
+        const Shape &shape = *document_->shapes[entry.shape];
+        const std::optional<double> radius = shape.is<CircleForm>()    ? std::optional(distance(entry.a, entry.b))
+                                             : entry.curve != kNoCurve ? radiusOf(curves_[entry.curve])
+                                                                       : std::nullopt;
+        const double away = radius ? lineDistance(entry, p) : 0.0;
+        if (radius && away <= reach && filter.admitsSegment(shape, entry.part)) {
+            hits.push_back({{shape.id, entry.part}, *radius, away});
+        }
+        return ++searched < kMaxSearched;
+    });
+    std::sort(hits.begin(), hits.end(),
+              [](const CircleHit &a, const CircleHit &b) { return std::tie(a.away, a.ref) < std::tie(b.away, b.ref); });
+    hits.resize(std::min(hits.size(), most));
     return hits;
 }
 

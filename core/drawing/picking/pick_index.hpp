@@ -90,6 +90,13 @@ class PickIndex {
     std::vector<NodeHit> nodesNear(Vec2 p, double reach, std::size_t most, const Filter &filter = {}) const;
     /// Returns the straight segments within a distance of p, the nearest ones first, at most `most`.
     std::vector<SegmentHit> linesNear(Vec2 p, double reach, std::size_t most, const Filter &filter = {}) const;
+    /// A circle or an arc of one, by its part of the drawing.
+    struct CircleHit {
+        SegmentRef ref;
+        double radius = 0.0, away = 0.0; ///< distance from the place
+    };
+    /// Returns the circles and arcs of circles within a distance of p, the nearest ones first, at most `most`.
+    std::vector<CircleHit> circlesNear(Vec2 p, double reach, std::size_t most, const Filter &filter = {}) const;
 
     /// Returns everything entirely inside a box; with `handles`, nodes instead of shapes.
     Selection inBox(const Box2 &box, bool handles) const;

@@ -18,13 +18,16 @@ bool dependsOnEarlier(const SketchRows &rows, int index) {
 }
 
 /// Collects the constraints of a part that have a row, all of whose rows depend on earlier ones.
-void addRedundant(const ScaledPart &part, const SketchRows &rows, const RowSpace &space,
+void addRedundant(const SketchSystem &system, const ScaledPart &part, const SketchRows &rows, const RowSpace &space,
                   std::set<std::uint32_t> &redundant) {
     constexpr double kTakesPart = 1e-4; // a circuit of n rows gives each about 1/n
     const SketchVector dependence = space.dependence();
     std::set<std::uint32_t> needed;
     for (int k = 0; k < rows.rows(); ++k) {
         const std::uint32_t constraint = part.equations()[static_cast<std::size_t>(k)].constraint;
+        if (constraint == 0 || system.isJoint(constraint)) {
+            continue;
+        }
         const bool depends = dependence[k] > kTakesPart && dependsOnEarlier(rows, k);
         (depends ? redundant : needed).insert(constraint);
     }
@@ -52,9 +55,8 @@ SketchFreedom freedomOf(const SketchSystem &system) {
             freedom.determined[unknown] = outside <= kDependent;
             free += outside * outside; // the trace of the projection to the null space is its dimension
         }
-        addRedundant(part, rows, space, redundant);
+        addRedundant(system, part, rows, space, redundant);
     }
-    redundant.erase(0);
     freedom.redundant.assign(redundant.begin(), redundant.end());
     freedom.degrees = static_cast<std::size_t>(std::lround(free));
     for (std::size_t k = 0; k < used.size(); ++k) {

@@ -28,7 +28,7 @@ class Judge {
         std::sort(equations_.begin(), equations_.end());
         for (const std::uint32_t k : equations_) {
             const std::uint32_t other = system.equations[k].constraint;
-            (other == judged_ ? own_ : rest_).push_back(k);
+            (other == judged_ ? own_ : system.isJoint(other) ? joints_ : rest_).push_back(k);
             others.insert(other);
         }
         others.erase(judged_);
@@ -37,10 +37,9 @@ class Judge {
     }
 
     ConstraintJudgement run() {
-        Constraints with;
-        bool dependent = depends(system_, with);
         if (forefront::holds(system_, own_)) {
-            Constraints generic;
+            Constraints with, generic;
+            bool dependent = depends(system_, rest_, with);
             if (dependent) { // a place of a special form, such as three points in line, may hide independence
                 dependent = dependsElsewhere(generic);
                 with = generic.size() > with.size() ? generic : with;
@@ -48,31 +47,37 @@ class Judge {
             return dependent ? ConstraintJudgement{ConstraintVerdict::Redundant, thinnedReason(std::move(with))}
                              : ConstraintJudgement{};
         }
-        return solvable(system_, equations_)
-                   ? ConstraintJudgement{}
-                   : ConstraintJudgement{ConstraintVerdict::Conflict, thinnedClash(std::move(with))};
+        if (solvable(system_, equations_)) {
+            return {};
+        }
+        std::vector<std::uint32_t> rest = rest_;
+        rest.insert(rest.end(), joints_.begin(), joints_.end());
+        Constraints with;
+        depends(system_, rest, with);
+        return {ConstraintVerdict::Conflict, thinnedClash(std::move(with))};
     }
 
   private:
-    /// Returns true if all rows of the judged constraint depend on the others; adds those that a dependent row needs.
-    bool depends(const SketchSystem &at, Constraints &with) const {
-        std::vector<std::uint32_t> ordered = rest_;
+    /// Returns true if all rows of the judged constraint depend on those of the rest; adds the constraints that a
+    /// dependent row needs.
+    bool depends(const SketchSystem &at, const std::vector<std::uint32_t> &rest, Constraints &with) const {
+        std::vector<std::uint32_t> ordered = rest;
         ordered.insert(ordered.end(), own_.begin(), own_.end());
         const ScaledPart part(at, ordered);
         const SketchRows rows = unitRows(part.slopes(part.x));
-        const RowSpace space(SketchRows(rows.topRows(static_cast<int>(rest_.size()))));
+        const RowSpace space(SketchRows(rows.topRows(static_cast<int>(rest.size()))));
         std::set<std::uint32_t> needed;
         bool all = true;
         for (std::size_t k = 0; k < own_.size(); ++k) {
-            const RowSpace::Split split = space.split(SketchVector(rows.row(static_cast<int>(rest_.size() + k))));
+            const RowSpace::Split split = space.split(SketchVector(rows.row(static_cast<int>(rest.size() + k))));
             if (split.outside.norm() > kDependent) {
                 all = false;
                 continue;
             }
             constexpr double kNeeded = 1e-6;
-            for (std::size_t row = 0; row < rest_.size(); ++row) {
+            for (std::size_t row = 0; row < rest.size(); ++row) {
                 if (std::fabs(split.coefficients[static_cast<int>(row)]) > kNeeded) {
-                    needed.insert(system_.equations[rest_[row]].constraint);
+                    needed.insert(system_.equations[rest[row]].constraint);
                 }
             }
         }
@@ -90,7 +95,7 @@ class Judge {
         }
         SketchSystem moved = system_;
         part.write(moved.values);
-        return depends(moved, with);
+        return depends(moved, rest_, with);
     }
 
     /// Returns the equations of constraints, with those of the forms of shapes.
@@ -131,11 +136,11 @@ class Judge {
         return any;
     }
 
-    /// Removes constraints while a claim about the set holds.
+    /// Removes constraints while a claim about the set holds; of all constraints if it does not hold for the set.
     template <class Claim>
-    Constraints thinned(Constraints set, const Claim &claim) const {
+    static Constraints thinned(Constraints set, const Constraints &all, const Claim &claim) {
         if (!claim(set)) {
-            set = others_;
+            set = all;
         }
         if (!claim(set)) {
             return set;
@@ -163,17 +168,19 @@ class Judge {
     }
 
     Constraints thinnedReason(Constraints set) const {
-        return thinned(std::move(set), [this](const Constraints &some) { return implied(some); });
+        Constraints all = others_;
+        std::erase_if(all, [this](std::uint32_t id) { return system_.isJoint(id); });
+        return thinned(std::move(set), all, [this](const Constraints &some) { return implied(some); });
     }
 
     Constraints thinnedClash(Constraints set) const {
-        return thinned(std::move(set),
+        return thinned(std::move(set), others_,
                        [this](const Constraints &some) { return !solvable(system_, equationsOf(some, true)); });
     }
 
     const SketchSystem &system_;
     std::uint32_t judged_;
-    std::vector<std::uint32_t> equations_, own_, rest_;
+    std::vector<std::uint32_t> equations_, own_, rest_, joints_; ///< all; of the judged constraint; of others
     Constraints others_;
 };
 

@@ -16,7 +16,8 @@ enum class ConstraintVerdict : std::uint8_t {
 
 struct ConstraintJudgement {
     ConstraintVerdict verdict = ConstraintVerdict::Fine;
-    /// The other constraints that imply it, or that it conflicts with. Minimal: without any of them it would be fine.
+    /// The other constraints that imply it, or that it conflicts with, joints among the latter only. Minimal: without
+    /// any of them it would be fine.
     std::vector<std::uint32_t> with;
 };
 

@@ -163,6 +163,10 @@ bool satisfy(ScaledPart &part, const SatisfyOptions &options) {
     return false;
 }
 
+void approach(ScaledPart &part) {
+    Satisfier(part, {}).run();
+}
+
 bool follow(ScaledPart &part, int steps, const SketchVector *weights) {
     const SketchVector start = part.x, residuals = part.residuals(start);
     for (int k = 1; k <= steps; ++k) {

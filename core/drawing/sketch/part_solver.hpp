@@ -22,6 +22,9 @@ struct SatisfyOptions {
 /// or only one where lines vanish.
 bool satisfy(ScaledPart &part, const SatisfyOptions &options = {});
 
+/// Moves x to a place near by where the sum of the squares of the residuals is least, as far as a few steps lead.
+void approach(ScaledPart &part);
+
 /// The same, in `steps` equal parts of the way from the residuals at x to 0, which keeps to one branch of solutions.
 bool follow(ScaledPart &part, int steps, const SketchVector *weights = nullptr);
 

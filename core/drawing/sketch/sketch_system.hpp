@@ -24,6 +24,11 @@ struct SketchSystem {
     std::vector<SketchCorner> corners;                          ///< whose flip makes a solution worse
     std::vector<std::pair<SketchPoint, SketchPoint>> edges;     ///< that must not vanish
     std::vector<std::pair<SketchPoint, std::uint32_t>> circles; ///< centres with radii, which must stay above 0
+    /// Id from which on constraints are joints, which the drawing implies. They hold like others and can be part of a
+    /// conflict, but never make another constraint redundant, nor are redundant themselves.
+    std::uint32_t firstJoint = static_cast<std::uint32_t>(-1);
+
+    bool isJoint(std::uint32_t constraint) const { return constraint >= firstJoint; }
 
     std::uint32_t addUnknown(double value, UnknownKind kind);
     SketchPoint addPoint(Vec2 at);

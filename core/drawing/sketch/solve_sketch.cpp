@@ -3,7 +3,9 @@
 #include "core/drawing/sketch/part_solver.hpp"
 #include "core/drawing/sketch/scatter.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace forefront {
 namespace {
@@ -13,16 +15,20 @@ constexpr double kClearTurn = 0.02; // sine of a turn that the eye sees
 /// Counts what a solution of a part spoils: corners that flip, edges and radii that shrink below 1 %.
 class Spoiled {
   public:
-    Spoiled(const SketchSystem &system, const ScaledPart &part) : system_(system) {
+    /// `whole`: counts only corners and edges all of whose points belong to the part.
+    Spoiled(const SketchSystem &system, const ScaledPart &part, bool whole) : system_(system) {
         const auto moves = [&part](SketchPoint p) { return part.indexOf(p.x) >= 0 || part.indexOf(p.y) >= 0; };
+        const auto counts = [&](std::initializer_list<SketchPoint> points) {
+            return whole ? std::all_of(points.begin(), points.end(), moves)
+                         : std::any_of(points.begin(), points.end(), moves);
+        };
         for (const SketchCorner &corner : system.corners) {
-            if ((moves(corner.a) || moves(corner.b) || moves(corner.c)) &&
-                std::fabs(turn(system.values, corner)) >= kClearTurn) {
+            if (counts({corner.a, corner.b, corner.c}) && std::fabs(turn(system.values, corner)) >= kClearTurn) {
                 corners_.push_back(corner);
             }
         }
         for (const auto &edge : system.edges) {
-            if (moves(edge.first) || moves(edge.second)) {
+            if (counts({edge.first, edge.second})) {
                 edges_.push_back(edge);
             }
         }
@@ -66,6 +72,10 @@ class Spoiled {
     std::vector<std::uint32_t> radii_;
 };
 
+// Weights keep short edges from turning, but let long ones move so far that others turn over. So the last ways, for
+// what has no other solution, have none.
+constexpr int kWeightedWays = 12, kWays = 14;
+
 /// Solves a part in one of several ways.
 bool solveBy(const SketchSystem &system, ScaledPart &part, int way) {
     const SketchVector weights = part.localWeights(system);
@@ -86,6 +96,11 @@ bool solveBy(const SketchSystem &system, ScaledPart &part, int way) {
     case 6:
     case 7:
         return follow(part, way == 6 ? 8 : 32, &weights);
+    case kWeightedWays:
+        return satisfy(part);
+    case kWeightedWays + 1:
+        part.guard(system, kClearTurn, kShare);
+        return follow(part, 8);
     default: {
         constexpr double kScatter = 0.02;
         scatter(part.x, static_cast<std::uint64_t>(way), kScatter * (way - 7));
@@ -99,26 +114,60 @@ class PartSearch {
   public:
     PartSearch(const SketchSystem &system, std::span<const std::uint32_t> equations)
         : system_(system), equations_(equations.begin(), equations.end()), start_(system, equations),
-          spoiled_(system, start_) {}
+          spoiled_(system, start_, false) {}
 
     /// Returns the best solution, in the values of the sketch; none if there is none near by.
     std::optional<SketchSolution> run(SolveEffort effort) {
-        const int ways = effort == SolveEffort::Plain ? 1 : 12;
+        const int ways = effort == SolveEffort::Plain ? 1 : kWays;
         for (int way = 0; way < ways && !(best_ && best_->flips == 0); ++way) {
+            if (way >= kWeightedWays && best_) {
+                break;
+            }
             ScaledPart part = start_;
             if (solveBy(system_, part, way)) {
                 std::vector<double> values = system_.values;
                 part.write(values);
-                offer(std::move(values));
+                offer(std::move(values), way >= kWeightedWays);
             }
         }
         return std::move(best_);
     }
 
+    /// Returns true if there is a solution without flips near the values of the sketch or near others.
+    bool hasCleanSolution(const std::vector<double> &others) const {
+        struct Start {
+            bool other;
+            double spread; ///< in sizes of the part
+        };
+        // Where the rest of a figure does not follow, its corners say nothing.
+        const Spoiled spoiled(system_, start_, true);
+        for (const auto [other, spread] :
+             {Start{true, 0.0}, Start{false, 0.0}, Start{true, 0.05}, Start{true, 0.15}, Start{false, 0.15}}) {
+            ScaledPart part = start_;
+            for (std::size_t k = 0; other && k < part.unknowns().size(); ++k) {
+                const std::uint32_t unknown = part.unknowns()[k];
+                part.x[static_cast<int>(k)] = part.scaled(others[unknown], system_.kinds[unknown]);
+            }
+            constexpr std::uint64_t kSeed = 5;
+            scatter(part.x, kSeed, spread);
+            if (satisfy(part)) {
+                std::vector<double> values = system_.values;
+                part.write(values);
+                if (spoiled.count(values) == 0) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
   private:
-    void offer(std::vector<double> values) {
+    void offer(std::vector<double> values, bool onlyWithoutFlips) {
         SketchSolution found{std::move(values), 0};
         found.flips = spoiled_.count(found.values);
+        if (onlyWithoutFlips && found.flips > 0) {
+            return;
+        }
         if (!best_ || found.flips < best_->flips) {
             best_ = std::move(found);
         }
@@ -165,6 +214,25 @@ std::optional<SketchSolution> solveSketch(const SketchSystem &system, SolveEffor
         solution.flips += found->flips;
     }
     return solution;
+}
+
+std::vector<double> nearestValues(const SketchSystem &system) {
+    std::vector<double> values = system.values;
+    for (const std::vector<std::uint32_t> &equations : independentParts(system)) {
+        if (!holds(system, equations)) {
+            ScaledPart part(system, equations);
+            approach(part);
+            part.write(values);
+        }
+    }
+    return values;
+}
+
+bool hasCleanSolution(const SketchSystem &system, const std::vector<double> &others) {
+    const auto parts = independentParts(system);
+    return std::all_of(parts.begin(), parts.end(), [&](const std::vector<std::uint32_t> &equations) {
+        return holds(system, equations) || PartSearch(system, equations).hasCleanSolution(others);
+    });
 }
 
 bool solvable(const SketchSystem &system, std::span<const std::uint32_t> equations) {

@@ -30,6 +30,13 @@ std::optional<SketchSolution> solveSketch(const SketchSystem &system, SolveEffor
 /// Returns true if some equations have a solution near the values of a sketch.
 bool solvable(const SketchSystem &system, std::span<const std::uint32_t> equations);
 
+/// Returns values near those of a sketch without a solution that violate its equations as little as possible. From
+/// there it is a short way to solutions without one of the equations that are in each other's way.
+std::vector<double> nearestValues(const SketchSystem &system);
+
+/// Returns true if a sketch has a solution without flips near its values or near others.
+bool hasCleanSolution(const SketchSystem &system, const std::vector<double> &others);
+
 /// Returns true if all of some equations hold, up to rounding of the coordinates.
 bool holds(const SketchSystem &system, std::span<const std::uint32_t> equations);
 

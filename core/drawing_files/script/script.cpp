@@ -17,7 +17,7 @@ std::span<const std::string_view> membersOf(ScriptWord word) {
     static constexpr std::string_view kOpen[] = {"file", "projection", "layer", "nameProperty", "sizeProperty", "weld"};
     static constexpr std::string_view kSave[] = {"file"};
     static constexpr std::string_view kAdd[] = {"shapes"};
-    static constexpr std::string_view kMove[] = {"shapes", "nodes", "by"};
+    static constexpr std::string_view kMove[] = {"shapes", "nodes", "by", "alone"};
     static constexpr std::string_view kConstrain[] = {"kind", "parts", "value"};
     static constexpr std::string_view kName[] = {"name", "boundary", "shape", "segments", "regionMarker"};
     static constexpr std::string_view kSize[] = {"size", "expression", "boundary", "growth"};

@@ -1,5 +1,6 @@
 #include "core/drawing_files/script/script_edits.hpp"
 
+#include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/commands/settle_command.hpp"
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/formulas.hpp"
@@ -170,9 +171,14 @@ class ScriptEdit {
                 selection.nodes.insert({part.shape, part.index});
             }
         }
-        const auto by = required("by");
+        const auto by = required("by"), alone = find("alone");
         const Vec2 shift = by ? check_.point(*by, "\"by\"") : Vec2();
-        return check_.faults().empty() ? moveSelection(document_, selection, shift) : Result<Document>(document_);
+        const bool detaches = alone && check_.flag(*alone, "\"alone\"");
+        if (!check_.faults().empty()) {
+            return document_;
+        }
+        const Result<Document> next = moveSelection(document_, selection, shift);
+        return next && !detaches ? carryJoints(document_, *next) : next;
     }
 
     /// Reads a number, or an expression of parameters.

@@ -204,13 +204,16 @@ class DocumentDifference {
         if (!by) {
             return;
         }
-        const std::string shift = ", \"by\": " + pointJson(*by);
-        add("move", "\"shapes\": " + listJson(changed_, [](const auto &entry) {
-                        return std::to_string(entry.first->id);
-                    }) + shift);
+        const std::string shapes =
+            listJson(changed_, [](const auto &entry) { return std::to_string(entry.first->id); });
+        const std::string list = listJson(nodes, [](const std::string &node) { return node; });
         constexpr std::size_t kMaxNodes = 100; // more say no more than the shapes themselves
-        if (nodes.size() <= kMaxNodes) {
-            add("move", "\"nodes\": " + listJson(nodes, [](const std::string &node) { return node; }) + shift);
+        for (const char *const alone : {"", ", \"alone\": true"}) {
+            const std::string shift = ", \"by\": " + pointJson(*by) + alone;
+            add("move", "\"shapes\": " + shapes + shift);
+            if (nodes.size() <= kMaxNodes) {
+                add("move", "\"nodes\": " + list + shift);
+            }
         }
     }
 

@@ -31,6 +31,7 @@ class ArcTool final : public DrawingTool {
     std::span<const EntryField> entryFields() const override;
     bool describePath(InferenceQuery &query) const override {
         query.starts = places_;
+        query.round = byCentre() && places_.size() == 1 ? std::optional(places_.front()) : std::nullopt;
         return places_.size() < 2; // then the arc is on a circle
     }
     Vec2 fitted(Vec2 at) override;

@@ -28,8 +28,11 @@ class BoxTool final : public DrawingTool {
     void cancel() override { first_.reset(); }
     bool dragPlaces() const override { return true; }
     bool shiftIsAngle() const override { return !isBox(); }
-    /// A corner or a centre may be level with other nodes; a point on a circle has no such meaning.
-    bool describePath(InferenceQuery &) const override { return isBox() || !first_; }
+    /// A corner or a centre may be level with other nodes; a point on a circle may give it the radius of another one.
+    bool describePath(InferenceQuery &query) const override {
+        query.round = isBox() ? std::nullopt : first_;
+        return true;
+    }
     std::span<const EntryField> entryFields() const override;
     Vec2 typedPlace(const TypedPair &pair) const override;
     PlaceFormula typedFormula(Vec2 at) const override;

@@ -79,9 +79,7 @@ void SelectTool::beginMove(Shell &context) {
     const bool byNode = grabbed_.kind == Hit::Kind::Node;
     startJoints_ = joints(context);
     startConstraints_.reset();
-    if (!start_->constraints.empty()) {
-        startConstraints_.emplace(start_);
-    }
+    aloneConstraints_.reset();
     if (grabbed_.kind == Hit::Kind::Control) {
         targets_ = aloneTargets_ = PickIndex::Filter([this](const Shape &shape) { return !moving_.touches(shape.id); });
     } else {
@@ -154,8 +152,8 @@ void SelectTool::updateMove(Shell &context) {
     }
     Result<Document> next = moved(snapped_.at);
     fault_.clear();
-    if (next && startConstraints_) {
-        next = startConstraints_->carry(*next);
+    if (next && !start_->constraints.empty()) {
+        next = constrained(*next);
     }
     if (next) {
         context.applyCommand(std::move(next), moveLabel(), stroke_);
@@ -267,6 +265,15 @@ const std::shared_ptr<const Joints> &SelectTool::joints(const Shell &context) co
         joints_ = std::make_shared<const Joints>(std::move(document));
     }
     return joints_;
+}
+
+Document SelectTool::constrained(const Document &moved) {
+    const bool leaves = alone_ && grabbed_.kind != Hit::Kind::Control;
+    std::optional<ConstraintDrag> &drag = leaves ? aloneConstraints_ : startConstraints_;
+    if (!drag) {
+        drag.emplace(start_, leaves ? nodesMovedWith(*start_, moving_) : std::set<NodeRef>());
+    }
+    return drag->carry(moved);
 }
 
 bool SelectTool::carriesJoints() const {

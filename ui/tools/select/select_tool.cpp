@@ -36,6 +36,7 @@ void SelectTool::deactivate(Shell &context) {
     startIndex_.reset();
     startJoints_.reset();
     startConstraints_.reset();
+    aloneConstraints_.reset();
 }
 
 namespace {
@@ -297,6 +298,7 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
     startIndex_.reset();
     startJoints_.reset();
     startConstraints_.reset();
+    aloneConstraints_.reset();
     hover_ = hitAt(event.place, context);
 }
 

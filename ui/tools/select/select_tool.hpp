@@ -106,6 +106,8 @@ class SelectTool final : public Tool {
     void insertAt(const Hit &hit, Shell &context);
     void nudge(Vec2 direction, bool far, bool repeated, Shell &context);
     Result<Document> moved(Vec2 to) const;
+    /// Applies the constraints of the document where the drag began to a step of it.
+    Document constrained(const Document &moved);
     /// Returns true if what is dragged takes along what is joined with it.
     bool carriesJoints() const;
     std::string moveLabel() const;
@@ -139,8 +141,8 @@ class SelectTool final : public Tool {
     std::shared_ptr<const Document> start_; ///< document when the drag began
     std::shared_ptr<const PickIndex> startIndex_;
     std::shared_ptr<const Joints> startJoints_; ///< of start_, set while Moving
-    /// Constraints of start_, set while Moving; none if it has none.
-    std::optional<ConstraintDrag> startConstraints_;
+    /// Constraints of start_, made when first needed while Moving: with joints, and without those of what is dragged.
+    std::optional<ConstraintDrag> startConstraints_, aloneConstraints_;
     Selection moving_;
     PickIndex::Filter targets_;      ///< of moving_ and what is joined with it
     PickIndex::Filter aloneTargets_; ///< of moving_ alone

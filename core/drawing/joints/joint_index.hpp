@@ -19,9 +19,13 @@ struct JointHandle {
 
 /// A straight segment on which handles can lie.
 struct JointSegment {
-    std::size_t shape = 0; ///< position in Document::shapes
+    std::size_t shape = 0;  ///< position in Document::shapes
+    std::uint32_t side = 0; ///< index of the segment; it starts at the handle with the same index
     Vec2 a, b;
 };
+
+/// Returns the tolerance within which places of a document are the same: 1e-6 of its diagonal.
+double jointTolerance(const Document &document);
 
 /// Returns true if the handles of a shape can be joined with others: those of paths, rectangles and points.
 bool canJoin(const Shape &shape);
@@ -33,6 +37,8 @@ std::optional<double> alongSegment(Vec2 a, Vec2 b, Vec2 p, double tolerance);
 class JointIndex {
   public:
     explicit JointIndex(const Document &document);
+    /// Finds only handles and segments in a box or that meet it, which takes less time.
+    JointIndex(const Document &document, const Box2 &within);
 
     const Document &document() const { return document_; }
     /// Returns the distance within which places are the same; see jointTolerance().
@@ -48,6 +54,8 @@ class JointIndex {
         });
         return first == kNoIndex ? nullptr : &segments_[first];
     }
+    /// Returns the segments that p lies inside of, in the order of the document.
+    std::vector<JointSegment> segmentsAt(Vec2 p) const;
     /// Calls visit(handle) for every handle at a place.
     template <class Visit>
     void handlesAt(Vec2 p, const Visit &visit) const {
@@ -64,7 +72,7 @@ class JointIndex {
         box.add(b);
         handleTree_.query(box.grown(tolerance_), [&](std::uint32_t k) {
             const Vec2 at = handles_[k].at;
-            if (liesInside({handles_[k].shape, a, b}, at)) {
+            if (liesInside({handles_[k].shape, 0, a, b}, at)) {
                 visit(handles_[k], *alongSegment(a, b, at, tolerance_));
             }
         });
@@ -76,7 +84,8 @@ class JointIndex {
         return distance(p, segment.a) > tolerance_ && distance(p, segment.b) > tolerance_ &&
                alongSegment(segment.a, segment.b, p, tolerance_);
     }
-    void addSegments(std::size_t shape, const std::vector<Vec2> &handles);
+    void addShape(std::size_t shape, const std::vector<Vec2> &handles, const Box2 &within);
+    void build();
 
     const Document &document_;
     double tolerance_;
