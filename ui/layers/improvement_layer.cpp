@@ -23,8 +23,11 @@ class ImprovementLayer final : public Layer {
         }
         const ImproveStep &step = *frame.snapshot.improvement;
         const double arrived = 1.0 - frame.fresh; // the mesh is on its way until then
-        for (const auto &[a, b, c] : step.elements) {
-            painter.triangle(a, b, c, fade(frame.theme.accepted, 0.25 * arrived));
+        for (const StepElement &element : step.elements) {
+            for (unsigned k = 2; k < element.count; ++k) {
+                painter.triangle(element.at[0], element.at[k - 1], element.at[k],
+                                 fade(frame.theme.accepted, 0.25 * arrived));
+            }
         }
         drawMoves(painter, frame, step);
         for (const auto &[a, b] : step.removedEdges) {

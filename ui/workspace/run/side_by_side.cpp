@@ -28,7 +28,7 @@ void SideBySide::close() {
 
 bool SideBySide::follow(const RunControl &run, const Document &document) {
     const SessionSnapshot &main = run.now();
-    if (!visible || mesh_ || !run.hasRun() || !run.steps() || run.showsFile() || !main.mesh) {
+    if (!visible || mesh_ || !run.hasRun() || run.showsFile() || !main.mesh) {
         const bool had = lockstep_.has_value();
         lockstep_.reset();
         shown_.clear();
