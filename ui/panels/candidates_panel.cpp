@@ -161,7 +161,7 @@ class CandidatesPanel final : public Panel {
         const std::optional<std::size_t> chosen = chosenCandidate(context.view, context.run.now());
         ImGui::PushFont(context.fonts.small);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-        drawTitles(context);
+        drawTitles(context, moment.advance->coloured);
         for (std::size_t i = 0; i < moment.candidates; ++i) {
             drawRow(context, moment, i, chosen == i);
         }
@@ -187,10 +187,12 @@ class CandidatesPanel final : public Panel {
         }
     }
 
-    static void drawTitles(WidgetContext &context) {
+    /// `quads`: the shape is not α but how near a candidate is to a square, or to half of one.
+    static void drawTitles(WidgetContext &context, bool quads) {
+        constexpr std::size_t kShape = 2;
         std::array<std::string, kColumns.size()> titles;
         for (std::size_t i = 0; i < kColumns.size(); ++i) {
-            titles[i] = kColumns[i].title;
+            titles[i] = quads && i == kShape ? "shape" : kColumns[i].title;
         }
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
