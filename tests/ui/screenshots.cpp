@@ -226,6 +226,8 @@ std::vector<Shot> scenes() {
                  Document quads = *driver.context().document.current();
                  quads.options.elements = Elements::Quads;
                  driver.context().document.apply(std::move(quads), "Quadrilaterals");
+                 driver.context().run.mesh();
+                 driver.settle();
                  driver.workspace(WorkspaceKind::Step);
                  driver.context().run.seek(24);
                  driver.settle();

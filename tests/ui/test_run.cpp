@@ -464,6 +464,8 @@ TEST_CASE("Run: the panels Steps and Candidates tell of squares, their colours a
     Document quads = *driver.context().document.current();
     quads.options.elements = Elements::Quads;
     driver.context().document.apply(std::move(quads), "Quadrilaterals");
+    driver.key(key::kF5);
+    driver.settle();
     driver.workspace(WorkspaceKind::Step);
     driver.showPanel("candidates");
     driver.click("timeline/start");
