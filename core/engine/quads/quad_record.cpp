@@ -35,7 +35,7 @@ ImproveChange partOf(ImproveChange change) {
 using Edge = std::array<std::uint32_t, 2>;
 
 /// The edges and corners of some elements, ascending.
-struct Outline {
+struct CellOutline {
     std::vector<std::uint32_t> corners; ///< a node once for each element
     std::vector<Edge> edges;            ///< the lower node first, each once
 
@@ -50,7 +50,7 @@ struct Outline {
         std::ranges::sort(edges);
         edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     }
-    std::vector<Edge> without(const Outline &other) const {
+    std::vector<Edge> without(const CellOutline &other) const {
         std::vector<Edge> rest;
         std::ranges::set_difference(edges, other.edges, std::back_inserter(rest));
         return rest;
@@ -134,7 +134,7 @@ ImproveStep QuadRecord::pairStep() const {
     std::vector<QuadCell> gone, made;
     std::ranges::set_difference(before, after, std::back_inserter(gone));
     std::ranges::set_difference(after, before, std::back_inserter(made));
-    Outline old, now;
+    CellOutline old, now;
     std::ranges::for_each(gone, [&](const QuadCell &cell) { old.add(cell); });
     for (const QuadCell &cell : made) {
         now.add(cell);
@@ -307,7 +307,7 @@ void QuadRecord::listElements(const Delta &delta, const Numbers &numbersBefore, 
     for (const NodeChange &node : delta.nodes) {
         before[node.at] = node.before;
     }
-    Outline old, made;
+    CellOutline old, made;
     for (const CellChange &cell : delta.cells) {
         old.add(cell.before);
         made.add(cell.after);
