@@ -24,9 +24,11 @@ class ImprovementLayer final : public Layer {
         const ImproveStep &step = *frame.snapshot.improvement;
         const double arrived = 1.0 - frame.fresh; // the mesh is on its way until then
         for (const StepElement &element : step.elements) {
-            for (unsigned k = 2; k < element.count; ++k) {
-                painter.triangle(element.at[0], element.at[k - 1], element.at[k],
-                                 fade(frame.theme.accepted, 0.25 * arrived));
+            const Colour fill = fade(frame.theme.accepted, 0.25 * arrived);
+            if (element.count == 4) {
+                painter.quadrilateral(element.at, fill);
+            } else {
+                painter.triangle(element.at[0], element.at[1], element.at[2], fill);
             }
         }
         drawMoves(painter, frame, step);

@@ -38,7 +38,8 @@ class SteppedRun {
     /// low; empty if it has not.
     Diagnostics excess() const;
     /// Maximum number of elements whose improvement is stepped; that of a larger mesh is one step. The clean-up of more
-    /// quadrilaterals is stepped by passes, see QuadRecord.
+    /// quadrilaterals is stepped by passes, see QuadRecord, which takes at most QuadRecord::kMaxBytes. The timeline of
+    /// their front takes about 300 bytes for each advance, in which it makes one quadrilateral or a little less.
     static constexpr std::size_t kSteppedElements = 100'000;
     /// Makes moves wait for improve() where the front is done.
     void awaitImprovement() { travel_.awaitImprovement(); }
