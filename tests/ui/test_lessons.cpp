@@ -158,6 +158,25 @@ TEST_CASE("Lessons: every page of the thirteen lessons shows what it speaks of, 
     }
 }
 
+TEST_CASE("Lessons: the list scrolls to the last lesson in a window too low for all of them") {
+    Learner learner({}, {1280, 800}); // as laptops have
+    const std::string last = "lessons/" + learner.context().lessons.list.back().id;
+    const auto isInSight = [&] {
+        const WidgetRegistry::Widget *const row = learner.context().widgets.find(last);
+        return row != nullptr && row->visible && row->clip &&
+               row->rect.y + row->rect.height <= row->clip->y + row->clip->height + 0.5;
+    };
+    REQUIRE_FALSE(isInSight());
+    const PixelRect first = learner.context().widgets.find("lessons/1-front")->rect;
+    learner.scroll(first.centre(), -30.0);
+    learner.settle();
+    CHECK(isInSight());
+    learner.click(last);
+    learner.settle();
+    REQUIRE(learner.context().lessons.open);
+    CHECK("lessons/" + learner.open().entry.id == last);
+}
+
 TEST_CASE("Lessons: a question is about the position of its page, wherever the run has moved since") {
     Learner learner;
     learner.click("lessons/4-rejections");
