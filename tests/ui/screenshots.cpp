@@ -224,6 +224,26 @@ std::vector<Shot> scenes() {
                      driver.settle();
                  }
              }},
+            {"squares",
+             [](Driver &driver) {
+                 Document quads = *driver.context().document.current();
+                 quads.options.elements = Elements::Quads;
+                 driver.context().document.apply(std::move(quads), "Quadrilaterals");
+                 driver.context().run.mesh();
+                 driver.settle();
+                 driver.workspace(WorkspaceKind::Step);
+                 driver.context().run.seek(24);
+                 driver.settle();
+                 driver.showPanel("candidates");
+             }},
+            {"squares-cleanup",
+             [](Driver &driver) {
+                 driver.context().run.seekEnd();
+                 driver.settle();
+                 driver.context().run.seek(driver.run().known + 6);
+                 driver.settle();
+                 driver.context().document.undo();
+             }},
             {"rules",
              [](Driver &driver) {
                  driver.context().document.apply(ruledBy(driver.context(), {.radius = 2.0}), "Rules");

@@ -138,6 +138,17 @@ TEST_CASE("Parts: an inner line becomes a crack, and a region is filled by rows"
     driver.click("inspector/mapped");
     driver.settle();
     CHECK(isMapped(driver.document(), 2));
+    driver.click("inspector/elements");
+    driver.settle();
+    driver.click("inspector/elements/Quads");
+    driver.settle();
+    CHECK(elementsOf(driver.document(), 2) == Elements::Quads);
+    CHECK(driver.undoLabel() == "Change elements of region");
+    driver.click("inspector/elements");
+    driver.settle();
+    driver.click("inspector/elements/As the rest");
+    driver.settle();
+    CHECK(driver.document().regionElements.empty());
 }
 
 } // namespace forefront::test

@@ -196,7 +196,7 @@ TEST_CASE("Lesson page: the runs of the check are used again, and what only the 
 
 TEST_CASE("Lesson check: names of layers, panels and widgets are known without a window") {
     const LessonNames names = editorNames();
-    CHECK(names.layers.size() == 22);
+    CHECK(names.layers.size() == 23);
     CHECK(names.panels.size() == 19);
     CHECK(names.widgets.at("steps").back() == "steps/10");
     const std::string text = checked_lessons::lesson(R"(, "layers": ["mesch"])");

@@ -120,6 +120,14 @@ TEST_CASE("Part commands: cracks, periodic parts and mapped regions are set and 
     document = setMapped(document, 1, true);
     CHECK(document.mapped.size() == 1);
     CHECK(!isMapped(setMapped(document, 1, false), 1));
+
+    document = setElements(document, 1, Elements::Mixed);
+    CHECK(elementsOf(document, 1) == Elements::Mixed);
+    document = setElements(document, 1, Elements::Quads);
+    CHECK(document.regionElements.size() == 1);
+    CHECK(elementsOf(document, 1) == Elements::Quads);
+    CHECK(!elementsOf(document, 2));
+    CHECK(!elementsOf(setElements(document, 1, std::nullopt), 1));
 }
 
 } // namespace forefront::part_cases

@@ -268,13 +268,7 @@ TEST_CASE("quads: cancelling ends the run") {
     CHECK(outcome.faults().front().code == "cancelled");
 }
 
-TEST_CASE("quads: stepping is refused with a message") {
-    const Result<MeshStepper> stepper = MeshStepper::create(quadJob(polygon(circle(20, 1.0)), "0.3"));
-    REQUIRE(!stepper);
-    CHECK(stepper.faults().front().code == "not-stepped");
-}
-
-TEST_CASE("quads: a session makes the mesh as a whole, the same as meshDomain") {
+TEST_CASE("quads: a session makes the same mesh as meshDomain and steps back from it") {
     auto job = std::make_shared<const MeshingJob>(quadJob(polygon(circle(40, 1.0)), "0.2"));
     const Result<MeshingOutcome> expected = meshDomain(*job);
     REQUIRE(expected);
@@ -283,11 +277,21 @@ TEST_CASE("quads: a session makes the mesh as a whole, the same as meshDomain") 
     std::shared_ptr<const SessionSnapshot> snapshot = session.wait();
     CHECK(snapshot->state == RunState::Finished);
     CHECK(snapshot->complete);
-    CHECK_FALSE(snapshot->stepped);
+    CHECK(snapshot->known > 10);
     CHECK(snapshot->meshHash == meshHash(expected->mesh));
     REQUIRE(snapshot->mesh);
     CHECK(snapshot->quality.elements == expected->mesh.elementCount());
     session.step(Granularity::Advance, -1);
+    snapshot = session.wait();
+    CHECK(snapshot->state == RunState::Paused);
+    REQUIRE(snapshot->improvement);
+    CHECK(snapshot->improvement->quads);
+    CHECK(snapshot->improveStep + 1 == snapshot->improveSteps);
+    session.seek(snapshot->known / 2);
+    snapshot = session.wait();
+    CHECK(snapshot->advance == snapshot->known / 2);
+    CHECK(snapshot->frontSegments > 0);
+    session.finish();
     snapshot = session.wait();
     CHECK(snapshot->state == RunState::Finished);
     CHECK(snapshot->meshHash == meshHash(expected->mesh));

@@ -167,6 +167,11 @@ void CanvasPainter::triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill) {
     list_.AddTriangleFilled(im(camera_.toPixel(a)), im(camera_.toPixel(b)), im(camera_.toPixel(c)), fill);
 }
 
+void CanvasPainter::quadrilateral(const std::array<Vec2, 4> &corners, Colour fill) {
+    list_.AddQuadFilled(im(camera_.toPixel(corners[0])), im(camera_.toPixel(corners[1])),
+                        im(camera_.toPixel(corners[2])), im(camera_.toPixel(corners[3])), fill);
+}
+
 void CanvasPainter::rectangle(const Box2 &box, Colour colour, double width) {
     list_.AddRect(im(camera_.toPixel({box.min.x, box.max.y})), im(camera_.toPixel({box.max.x, box.min.y})), colour,
                   0.0F, 0, im(width * scale_));

@@ -5,6 +5,7 @@
 #include "ui/canvas/label_space.hpp"
 #include "ui/style/colour.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -44,6 +45,7 @@ class CanvasPainter {
     /// Does the same for all segments of an outline.
     void outline(const Outline &outline, Colour colour, double width = 1.5);
     void triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill);
+    void quadrilateral(const std::array<Vec2, 4> &corners, Colour fill);
     void rectangle(const Box2 &box, Colour colour, double width = 1.0);
     void fillRectangle(const Box2 &box, Colour fill);
     /// Draws a filled dot; the radius is in design pixels, as for ring() and cross().

@@ -182,7 +182,7 @@ std::vector<FileFilter> filmFilters() {
 } // namespace
 
 void exportFilm(Shell &context) {
-    if (!context.run.steps()) {
+    if (context.run.makesQuads()) {
         context.log.refuse("Films show a front of triangles; set Elements to Triangles in the panel Meshing");
         return;
     }

@@ -6,6 +6,7 @@
 #include "ui/workspace/view/candidate_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,46 @@ Colour verdictColour(const Theme &theme, Verdict verdict, bool judged) {
         return theme.candidate;
     }
     return verdict == Verdict::Accepted ? theme.accepted : theme.bad;
+}
+
+using Side = std::array<Vec2, 2>;
+
+/// Returns the sides of the elements made beyond their base, without the one that the two halves of a square share.
+std::vector<Side> newSidesOf(const AdvanceExplanation &e) {
+    std::vector<Side> sides;
+    for (const auto &[p, q, r] : e.made) {
+        sides.push_back({q, r});
+        sides.push_back({r, p});
+    }
+    if (e.square == SquareKind::None || e.made.size() != 2) {
+        return sides;
+    }
+    std::erase_if(sides, [&](const Side &side) {
+        const auto has = [&](std::size_t half, Vec2 node) {
+            return std::ranges::find(e.made[half], node) != e.made[half].end();
+        };
+        return has(0, side[0]) && has(0, side[1]) && has(1, side[0]) && has(1, side[1]);
+    });
+    return sides;
+}
+
+/// Returns the sides that a candidate would add.
+std::vector<Side> sidesOf(const AdvanceExplanation &e, const CandidateTrace &c) {
+    switch (c.square) {
+    case SquareKind::Row:
+        return {{c.over.front(), c.position}, {c.position, c.over.back()}};
+    case SquareKind::Opening:
+        return {{c.over.front(), c.second}, {c.second, c.position}, {c.position, c.over.back()}};
+    case SquareKind::Closing:
+        return {{c.second, c.position}};
+    case SquareKind::None:
+        break;
+    }
+    std::vector<Side> sides;
+    for (const Vec2 from : c.over.empty() ? std::vector<Vec2>{e.a, e.b} : c.over) {
+        sides.push_back({from, c.position});
+    }
+    return sides;
 }
 
 /// Draws a candidate so that its shape alone tells its verdict: a disc with a tick is accepted, a ring with a cross
@@ -47,7 +88,9 @@ void drawCandidate(CanvasPainter &painter, const Theme &theme, Vec2 at, Verdict 
 
 std::string candidateLabel(const CandidateTrace &candidate, std::size_t rank, const Moment &moment) {
     std::string text = std::to_string(rank + 1);
-    if (moment.scoresKnown) {
+    if (candidate.square != SquareKind::None) {
+        text += std::string("  ") + squareText(candidate.square);
+    } else if (moment.scoresKnown) {
         text += ui::format("  score %.*f", scoreDigits(*moment.advance), candidate.score);
     }
     if (moment.judged[rank] && candidate.verdict != Verdict::NotTried) {
@@ -73,9 +116,8 @@ class CandidatesLayer final : public Layer {
             for (const auto &[p, q, r] : e.made) {
                 painter.triangle(p, q, r, fade(theme.accepted, 0.2 + 0.35 * frame.fresh));
             }
-            for (const auto &[p, q, r] : e.made) {
-                painter.line(q, r, theme.accepted, 2.0);
-                painter.line(r, p, theme.accepted, 2.0);
+            for (const Side &side : newSidesOf(e)) {
+                painter.line(side[0], side[1], theme.accepted, 2.0);
             }
         }
         if (moment.idealKnown && !moment.updated) {
@@ -107,8 +149,11 @@ class CandidatesLayer final : public Layer {
         std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return !accepted(i); });
         for (const std::size_t i : order) {
             const CandidateTrace &candidate = e.candidates[i];
-            drawCandidate(painter, theme, candidate.position, candidate.verdict, moment.judged[i],
-                          frame.candidate && frame.candidate != i ? 0.45 : 1.0);
+            const double opacity = frame.candidate && frame.candidate != i ? 0.45 : 1.0;
+            drawCandidate(painter, theme, candidate.position, candidate.verdict, moment.judged[i], opacity);
+            if (candidate.square == SquareKind::Opening) {
+                drawCandidate(painter, theme, candidate.second, candidate.verdict, moment.judged[i], opacity);
+            }
         }
         if (frame.candidate) {
             drawChosen(painter, frame, moment, *frame.candidate);
@@ -177,8 +222,8 @@ class TestsLayer final : public Layer {
             const Colour colour = trying ? theme.candidate : verdictColour(theme, candidate.verdict, true);
             const bool accepted = tried && candidate.verdict == Verdict::Accepted;
             if (!accepted || !moment.updated || chosen) {
-                for (const Vec2 from : candidate.over.empty() ? std::vector<Vec2>{e.a, e.b} : candidate.over) {
-                    painter.dashed(from, candidate.position, fade(colour, chosen ? 1.0 : 0.8), chosen ? 2.5 : 1.5, 5.0);
+                for (const Side &side : sidesOf(e, candidate)) {
+                    painter.dashed(side[0], side[1], fade(colour, chosen ? 1.0 : 0.8), chosen ? 2.5 : 1.5, 5.0);
                 }
             }
             if (tried && candidate.blocked) {

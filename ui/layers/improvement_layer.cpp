@@ -23,8 +23,13 @@ class ImprovementLayer final : public Layer {
         }
         const ImproveStep &step = *frame.snapshot.improvement;
         const double arrived = 1.0 - frame.fresh; // the mesh is on its way until then
-        for (const auto &[a, b, c] : step.elements) {
-            painter.triangle(a, b, c, fade(frame.theme.accepted, 0.25 * arrived));
+        for (const StepElement &element : step.elements) {
+            const Colour fill = fade(frame.theme.accepted, 0.25 * arrived);
+            if (element.count == 4) {
+                painter.quadrilateral(element.at, fill);
+            } else {
+                painter.triangle(element.at[0], element.at[1], element.at[2], fill);
+            }
         }
         drawMoves(painter, frame, step);
         for (const auto &[a, b] : step.removedEdges) {

@@ -31,6 +31,8 @@ std::unique_ptr<Layer> makeFrontLayer();
 std::unique_ptr<Layer> makeCandidatesLayer();
 /// Draws the candidate segments of this step and the segments of Γ they are tested against.
 std::unique_ptr<Layer> makeTestsLayer();
+/// Draws the two colours of the nodes of the front of quadrilaterals.
+std::unique_ptr<Layer> makeColoursLayer();
 /// Draws what this step of the improvement changed.
 std::unique_ptr<Layer> makeImprovementLayer();
 /// Writes the names of boundary parts.

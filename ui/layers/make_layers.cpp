@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<Layer>> makeLayers() {
     layers.push_back(makeGridLayer());
     layers.push_back(makeBoundaryLayer());
     layers.push_back(makeFrontLayer());
+    layers.push_back(makeColoursLayer());
     layers.push_back(makeTestsLayer());
     layers.push_back(makeCandidatesLayer());
     layers.push_back(makeImprovementLayer());

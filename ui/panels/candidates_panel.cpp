@@ -46,11 +46,27 @@ const char *shortVerdict(Verdict verdict) {
         return "crosses";
     case Verdict::ContainsNode:
         return "node inside";
+    case Verdict::BadShape:
+        return "bad shape";
+    case Verdict::OneColour:
+        return "one colour";
+    case Verdict::FlatCorner:
+        return "flat corner";
     }
     return "";
 }
 
 std::string nodeText(const CandidateTrace &candidate) {
+    switch (candidate.square) {
+    case SquareKind::Row:
+        return "row";
+    case SquareKind::Opening:
+        return "open";
+    case SquareKind::Closing:
+        return "close";
+    case SquareKind::None:
+        break;
+    }
     return candidate.node == kNoNode ? std::string("C") : std::to_string(index(candidate.node));
 }
 
@@ -79,6 +95,26 @@ std::string scoreText(const AdvanceExplanation &e, const CandidateTrace &c) {
         return ui::format("score = %.3f%s%.3f%s%.3f = %.3f", c.alpha, kDot, c.deltaAC, kDot, c.deltaCB, c.score);
     }
     return "score = " + scoreFormula(e.rules) + ui::format(" = %.3f", c.score);
+}
+
+/// Returns the figures of a candidate of the two-coloured front, a line each.
+std::vector<std::string> squareLines(const CandidateTrace &c) {
+    const auto deltas = [&] {
+        return ui::format("\xce\xb4 of its sides, against %s: %.3f and %.3f", ui::number(c.rho).c_str(), c.deltaAC,
+                          c.deltaCB);
+    };
+    if (c.square != SquareKind::None) {
+        return {std::string("A square that ") + squareText(c.square) + ui::format(": scaled Jacobian %.3f", c.alpha),
+                deltas(), "Squares are tried in turn, before any search; the score is for comparison"};
+    }
+    const double product = c.alpha * c.deltaAC * c.deltaCB;
+    std::vector<std::string> lines = {
+        ui::format("Half a square: %.3f of 1, colour %d", c.alpha, c.colour), deltas(),
+        ui::format("score = %.3f%s%.3f%s%.3f = %.3f", c.alpha, kDot, c.deltaAC, kDot, c.deltaCB, product)};
+    if (c.node != kNoNode) {
+        lines.back() += ui::format(", times 1.15 for a node of the front = %.3f", c.score);
+    }
+    return lines;
 }
 
 /// Returns why a candidate was accepted or rejected, in a sentence.
@@ -125,7 +161,7 @@ class CandidatesPanel final : public Panel {
         const std::optional<std::size_t> chosen = chosenCandidate(context.view, context.run.now());
         ImGui::PushFont(context.fonts.small);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-        drawTitles(context);
+        drawTitles(context, moment.advance->coloured);
         for (std::size_t i = 0; i < moment.candidates; ++i) {
             drawRow(context, moment, i, chosen == i);
         }
@@ -151,10 +187,12 @@ class CandidatesPanel final : public Panel {
         }
     }
 
-    static void drawTitles(WidgetContext &context) {
+    /// `quads`: the shape is not α but how near a candidate is to a square, or to half of one.
+    static void drawTitles(WidgetContext &context, bool quads) {
+        constexpr std::size_t kShape = 2;
         std::array<std::string, kColumns.size()> titles;
         for (std::size_t i = 0; i < kColumns.size(); ++i) {
-            titles[i] = kColumns[i].title;
+            titles[i] = quads && i == kShape ? "shape" : kColumns[i].title;
         }
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
@@ -205,7 +243,9 @@ class CandidatesPanel final : public Panel {
         const CandidateTrace &c = e.candidates[i];
         const Vec2 a = c.over.empty() ? e.a : c.over.front(), b = c.over.empty() ? e.b : c.over.back();
         std::vector<std::string> lines;
-        if (moment.scoresKnown) {
+        if (moment.scoresKnown && e.coloured) {
+            lines = squareLines(c);
+        } else if (moment.scoresKnown) {
             lines = {alphaText(e, c), deltaText("AC", c.deltaAC, distance(a, c.position), c.rho),
                      deltaText("CB", c.deltaCB, distance(b, c.position), c.rho), scoreText(e, c)};
         }

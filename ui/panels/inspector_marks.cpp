@@ -131,6 +131,7 @@ void inspectRegion(Shell &context, std::uint32_t index) {
     }
     ui::rowTooltip(context, "Maximum area of an element in this region");
     regionSizeRow(context, index);
+    regionElementsRow(context, marker.tag);
     mappedRow(context, marker.tag);
     if (ui::button(context, "inspector/delete", "Delete")) {
         context.actions.run("edit.delete", context);

@@ -62,7 +62,7 @@ class MeshingPanel final : public Panel {
         bool changed = ui::segmented(context, "meshing/elements", options.elements);
         ImGui::EndGroup();
         ui::rowTooltip(context, "Quads: quadrilaterals. Mixed: triangles where quadrilaterals would be badly shaped. "
-                                "Only triangles can be stepped.");
+                                "A region can have its own.");
         form::label(context, "Order");
         ImGui::BeginGroup();
         changed = ui::segmented(context, "meshing/order", options.order) || changed;

@@ -194,6 +194,21 @@ void PartRows::drawLine(Shell &context, std::int32_t tag, const BoundaryPart &pa
     stripRow(context, tag, part);
 }
 
+void regionElementsRow(Shell &context, std::int32_t region) {
+    const Document &document = *context.document.current();
+    const std::optional<Elements> own = elementsOf(document, region);
+    static constexpr const char *kLabels[] = {"As the rest", "Triangles", "Quads", "Mixed"};
+    int choice = own ? 1 + static_cast<int>(*own) : 0;
+    form::label(context, "Elements");
+    if (ui::combo(context, "inspector/elements", kLabels, choice)) {
+        const std::optional<Elements> chosen =
+            choice > 0 ? std::optional(static_cast<Elements>(choice - 1)) : std::nullopt;
+        context.applyCommand(setElements(document, region, chosen), "Change elements of region");
+    }
+    ui::rowTooltip(context, "The elements of this region; they fit those beside it. The rest has those of the panel "
+                            "Meshing.");
+}
+
 void mappedRow(Shell &context, std::int32_t region) {
     bool mapped = isMapped(*context.document.current(), region);
     form::label(context, "Mapped");

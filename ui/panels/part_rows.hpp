@@ -25,6 +25,8 @@ class PartRows {
     std::uint64_t revision_ = 0;
 };
 
+/// Draws the elements that a region has of its own.
+void regionElementsRow(Shell &context, std::int32_t region);
 /// Draws whether the faces of a region are filled by rows.
 void mappedRow(Shell &context, std::int32_t region);
 

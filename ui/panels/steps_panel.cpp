@@ -93,6 +93,36 @@ std::string worked(const Moment &moment, Step step) {
     }
 }
 
+/// Returns the same for the front of quadrilaterals.
+std::string workedSquare(const Moment &moment, Step step) {
+    const AdvanceExplanation &e = *moment.advance;
+    switch (step) {
+    case Step::TakeBase:
+        return e.diagonal ? std::string("\nA and B have one colour: AB is the diagonal of half a square")
+                          : "\nA and B have two colours: AB is a leg, of row " + ui::count(e.row + 1);
+    case Step::EvaluateSpacing:
+        return "\n\xcf\x81 = " + ui::number(e.fieldRho) + ", used with |AB| = " + ui::number(distance(e.a, e.b)) +
+               ": " + ui::number(e.rho);
+    case Step::FindCandidates:
+        return e.searchRadius == 0.0 ? std::string("\na square was made; there was no search")
+                                     : "\nfront nodes within " + ui::number(e.searchRadius) + " of C";
+    case Step::Sort:
+        return sortText(e);
+    case Step::Test:
+        return testText(moment);
+    case Step::Update: {
+        const char *const made = e.deferred                        ? "no candidate passed: AB is put back once"
+                                 : e.square == SquareKind::None    ? "half a square stored"
+                                 : e.square == SquareKind::Opening ? "a square with two new nodes stored"
+                                 : e.square == SquareKind::Row     ? "a square with one new node stored"
+                                                                   : "a square without a new node stored";
+        return moment.cursor < e.events.size() ? std::string() : std::string("\n") + made;
+    }
+    default:
+        return {};
+    }
+}
+
 /// The glossary term that explains each step.
 constexpr std::array<const char *, kStepCount> kTerms{"domain", "base",  "spacing",   "ideal-point", "candidates",
                                                       "score",  "score", "rejection", "front",       "closing"};
@@ -111,18 +141,18 @@ std::string rulesText(const FrontRules &rules, Step step) {
     return text;
 }
 
-/// `rules`: of the run; null for the fast method.
-std::string tip(const Moment &moment, Step step, const FrontRules *rules) {
-    std::string text = stepTitle(step, rules);
+/// `rules`: of the run; null for the fast method. `quads`: it is one of quadrilaterals.
+std::string tip(const Moment &moment, Step step, const FrontRules *rules, bool quads) {
+    std::string text = quads ? colouredStepTitle(step) : stepTitle(step, rules);
     if (moment && step <= moment.step) {
-        text += worked(moment, step);
+        text += quads ? workedSquare(moment, step) : worked(moment, step);
     }
     if (moment && moment.work[static_cast<std::size_t>(step)].segments > 0) {
         const StepWork &work = moment.work[static_cast<std::size_t>(step)];
         text +=
             "\n" + ui::count(work.cells) + " grid cells visited, " + ui::count(work.segments) + " segments returned";
     }
-    if (step == Step::Score) {
+    if (step == Step::Score && !quads) {
         text += ". A point that closes several segments gets the smallest \xce\xb1 of its elements; AC and CB are "
                 "their outer "
                 "sides.";
@@ -139,8 +169,9 @@ class StepsPanel final : public Panel {
         const SessionSnapshot &run = context.run.now();
         const Moment moment = momentOf(run);
         const std::optional<Step> live = liveStep(run, moment);
+        const bool quads = context.run.showsQuads();
         const FrontRules rules = moment ? moment.advance->rules : context.document.current()->options.rules;
-        const FrontRules *const shown = context.run.method() == Method::Classic ? &rules : nullptr;
+        const FrontRules *const shown = context.run.method() == Method::Classic && !quads ? &rules : nullptr;
         const float width = ImGui::GetContentRegionAvail().x, height = context.px(24);
         ImDrawList &list = *ImGui::GetWindowDrawList();
         ImGui::PushFont(context.fonts.small);
@@ -163,9 +194,10 @@ class StepsPanel final : public Panel {
             const float right = at.x + width - context.px(6) - ImGui::CalcTextSize(found.c_str()).x;
             list.AddText({right, y}, context.theme.text, found.c_str());
             ui::shortened(context, Pixel(at.x + context.px(31), y), right - context.px(6),
-                          stepLine(static_cast<Step>(step), shown), colour);
+                          quads ? squareStepLine(static_cast<Step>(step)) : stepLine(static_cast<Step>(step), shown),
+                          colour);
             if (ImGui::IsItemHovered()) {
-                ui::tooltip(context, tip(moment, static_cast<Step>(step), shown));
+                ui::tooltip(context, tip(moment, static_cast<Step>(step), shown, quads));
             }
             if (ImGui::IsItemClicked()) {
                 context.actions.run(std::string("glossary.") + kTerms[static_cast<std::size_t>(step - 1)], context);

@@ -216,7 +216,8 @@ void drawRunBar(Shell &context, const PixelRect &canvas) {
             if (run.quality.elements > 0) {
                 flow.item("elements");
                 ImGui::AlignTextToFramePadding();
-                ui::muted(context, ui::count(run.quality.elements) + (run.stepped ? " triangles" : " elements"));
+                ui::muted(context,
+                          ui::count(run.quality.elements) + (run.mesh && run.mesh->whole ? " elements" : " triangles"));
             }
             flow.item("cancel");
             if (ui::button(context, "run/cancel", "Cancel  Esc")) {

@@ -148,10 +148,7 @@ void addLessonActions(ActionRegistry &actions) {
                          const bool shown = c.sides.visible && c.sides.mesh() == nullptr;
                          c.sides.close();
                          c.sides.visible = !shown;
-                         if (c.sides.visible && !c.run.steps()) {
-                             c.sides.visible = false;
-                             c.log.refuse(RunControl::kNotStepped);
-                         } else if (c.sides.visible && c.run.outOfDate()) {
+                         if (c.sides.visible && c.run.outOfDate()) {
                              c.log.refuse("The drawing has changed since it was meshed; mesh it again to compare");
                          }
                          c.animate();

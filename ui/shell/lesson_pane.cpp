@@ -68,6 +68,7 @@ void drawList(Shell &context) {
         ui::mark(context, "lessons/empty");
     }
     const LessonEntry *chosen = nullptr;
+    ImGui::BeginChild("list", {0, 0}, false, ImGuiWindowFlags_NoNav);
     for (std::size_t k = 0; k < context.lessons.list.size(); ++k) {
         const LessonEntry &entry = context.lessons.list[k];
         if (textRow(context, "lessons/" + entry.id, keyText(k).c_str(), context.theme.muted, entry.lesson->title)) {
@@ -80,6 +81,7 @@ void drawList(Shell &context) {
                   progressText(entry, known == context.settings.lessons.end() ? LessonProgress() : known->second));
         ui::mark(context, "lessons/" + entry.id + "/progress");
     }
+    ImGui::EndChild();
     if (chosen != nullptr) {
         openLesson(context, LessonEntry(*chosen));
     }

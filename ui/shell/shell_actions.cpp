@@ -216,8 +216,8 @@ void travel(Shell &context, const std::function<void(RunControl &)> &move) {
 /// Steps n times, backward if n is negative; says so where the run has no more steps.
 void stepBy(Shell &context, std::int64_t n) {
     const SessionSnapshot &run = context.run.now();
-    const bool rests = run.mesh && run.stepped && !context.run.busy() && !context.run.outOfDate() &&
-                       !context.run.showsFile() && context.settings.workspace == WorkspaceKind::Step;
+    const bool rests = run.mesh && !context.run.busy() && !context.run.outOfDate() && !context.run.showsFile() &&
+                       context.settings.workspace == WorkspaceKind::Step;
     if (rests && (n > 0 ? run.atEnd() : run.position() == 0 && run.eventCursor == 0)) {
         const std::string words = n > 0 ? "End of the run" : "Start of the run";
         const auto &said = context.log.entries();

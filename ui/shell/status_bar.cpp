@@ -1,5 +1,6 @@
 #include "core/engine/base/hash.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/pipeline/run_estimate.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/shortened.hpp"
@@ -209,12 +210,15 @@ void addFigures(Cells &cells, Shell &context) {
                                      (whole ? "; hash " + toHex(run.meshHash).substr(0, 8) : std::string()));
         }
     }
-    const double predicted = context.preview->estimatedElements;
+    const bool quads = context.run.makesQuads();
+    const double predicted = context.preview->estimatedElements / (quads ? kTrianglesPerQuad : 1.0);
     const bool differs = run.quality.elements == 0 || context.run.preview() || context.run.outOfDate();
     if (predicted > 0.0 && differs &&
-        cells.addRight("estimate", "about " + ui::count(roundedTo2(predicted)) + " triangles", context.theme.muted)) {
+        cells.addRight("estimate", "about " + ui::count(roundedTo2(predicted)) + (quads ? " quads" : " triangles"),
+                       context.theme.muted)) {
         cells.clicked("estimate");
-        ui::tooltip(context, "Predicted number of triangles, within about 10 %");
+        ui::tooltip(context, quads ? "Predicted number of quadrilaterals; it may differ where sizes change fast"
+                                   : "Predicted number of triangles, within about 10 %");
     }
 }
 

@@ -79,12 +79,13 @@ void drawStepUnit(Shell &context, ui::Flow &flow) {
     flow.label("Step");
     int granularity = static_cast<int>(context.run.granularity);
     // An advance of the classic method makes one element, one of the fast method up to three.
-    const bool fast = context.run.method() == Method::Fast;
-    const char *const names[] = {"Event", fast ? "Advance" : "Element", "Layer"};
+    const bool quads = context.run.showsQuads(), fast = context.run.method() == Method::Fast;
+    const char *const names[] = {"Event", quads ? "Square" : fast ? "Advance" : "Element", "Layer"};
     const char *const tips[] = {
         "One step is one event within an advance, such as a candidate or a tested segment",
-        fast ? "One step is one advance of the front: up to three elements around one node"
-             : "One step is one advance of the front: one element, or none if the base segment is deferred",
+        quads  ? "One step is one advance of the front: a square, half of one, or none if the base is deferred"
+        : fast ? "One step is one advance of the front: up to three elements around one node"
+               : "One step is one advance of the front: one element, or none if the base segment is deferred",
         "One step is one pass around the front: as many advances as the front has segments"};
     if (ui::segmented(context, "timeline/granularity", names, granularity, 190.0F, tips)) {
         context.run.granularity = static_cast<Granularity>(granularity);
@@ -105,13 +106,6 @@ void drawSpeed(Workspace &context, ui::Flow &flow) {
 }
 
 void drawStepOptions(Shell &context, ui::Flow &flow) {
-    if (!context.run.steps()) {
-        flow.item("step/not-stepped");
-        ImGui::AlignTextToFramePadding();
-        ui::muted(context, RunControl::kNotStepped);
-        ui::mark(context, "options/step/not-stepped");
-        return;
-    }
     drawStepUnit(context, flow);
     drawSpeed(context, flow);
     flow.item("step/follow");

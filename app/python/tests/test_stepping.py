@@ -34,9 +34,16 @@ def test_back_and_forth_gives_the_same_state(rectangle):
     assert run.retreat(10) == 3
 
 
-def test_a_run_of_quadrilaterals_is_refused(rectangle):
+def test_a_run_of_quadrilaterals_steps_forward_and_back(rectangle):
+    run = ff.run(rectangle, 0.5, elements="quads")
+    assert run.advance(12) == 12
+    front, elements = run.front, run.mesh.element_count
+    assert run.advance(8) == 8 and run.retreat(8) == 8 and run.position == 12
+    assert np.array_equal(run.front, front) and run.mesh.element_count == elements
+    run.advance(1)
+    assert "square" in run.explanation()["caption"]
     with pytest.raises(ff.MeshError, match="not-stepped"):
-        ff.run(rectangle, 0.5, elements="quads")
+        run.trace()
 
 
 def test_a_page_plays_the_run(rectangle):

@@ -170,6 +170,20 @@ Document setMapped(const Document &document, std::int32_t region, bool mapped) {
     return next;
 }
 
+Document setElements(const Document &document, std::int32_t region, std::optional<Elements> elements) {
+    Document next = document;
+    std::erase_if(next.regionElements, [region](const RegionElements &own) { return own.region == region; });
+    if (elements) {
+        next.regionElements.push_back({region, *elements});
+    }
+    return next;
+}
+
+std::optional<Elements> elementsOf(const Document &document, std::int32_t region) {
+    const auto found = std::ranges::find(document.regionElements, region, &RegionElements::region);
+    return found == document.regionElements.end() ? std::nullopt : std::optional(found->elements);
+}
+
 const LayerSpec *layersOf(const Document &document, std::int32_t tag) {
     return specOf(document.layers, tag);
 }

@@ -24,7 +24,11 @@ Result<Document> setCrack(const Document &document, const BoundaryPart &part, bo
 Result<Document> setPeriodic(const Document &document, const BoundaryPart &part, std::optional<std::int32_t> partner);
 /// Fills the faces of a region by rows between opposite sides, or no longer. Corners that were given are kept.
 Document setMapped(const Document &document, std::int32_t region, bool mapped);
+/// Gives a region elements of its own, or, with nullopt, those of the rest.
+Document setElements(const Document &document, std::int32_t region, std::optional<Elements> elements);
 
+/// Returns the elements that a region has of its own; nullopt: those of the rest.
+std::optional<Elements> elementsOf(const Document &document, std::int32_t region);
 /// Returns the boundary layers of a tag; null: none.
 const LayerSpec *layersOf(const Document &document, std::int32_t tag);
 /// Returns the strip along lines with a tag; null: none.

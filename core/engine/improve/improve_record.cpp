@@ -329,7 +329,8 @@ void ImproveRecord::listElements(const Delta &delta, ImproveStep &step) const {
         old.add(cell.before.nodes);
         made.add(cell.after.nodes);
         if (const Element &n = cell.after.nodes; n[0] != kNoNode) {
-            step.elements.push_back({mesh_.nodes[index(n[0])], mesh_.nodes[index(n[1])], mesh_.nodes[index(n[2])]});
+            step.elements.push_back(
+                {{mesh_.nodes[index(n[0])], mesh_.nodes[index(n[1])], mesh_.nodes[index(n[2])]}, 3});
         }
     }
     old.sort();
@@ -360,16 +361,10 @@ ImproveStep ImproveRecord::step() {
     const std::size_t number = position_;
     const Delta &delta = deltas_[steps_[number - 1]];
     moveTo(number - 1);
-    ImproveStep step{.change = delta.change,
-                     .number = number,
-                     .moves = {},
-                     .addedNodes = {},
-                     .removedNodes = {},
-                     .addedEdges = {},
-                     .removedEdges = {},
-                     .elements = {},
-                     .before = figures(),
-                     .after = {}};
+    ImproveStep step;
+    step.change = delta.change;
+    step.number = number;
+    step.before = figures();
     moveToDelta(steps_[number - 1] + 1);
     step.after = figures();
     if (delta.change != ImproveChange::Remainder) {

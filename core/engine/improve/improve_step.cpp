@@ -17,6 +17,23 @@ std::string movedNodes(const ImproveStep &step) {
     return numberOf(step.moves.size(), "node moves", "nodes move");
 }
 
+std::string pairText(const ImproveStep &step) {
+    if (step.elements.empty()) {
+        return "the halves of squares joined; no triangle of one colour is left";
+    }
+    return step.addedNodes.empty()
+               ? "triangles of one colour joined to a neighbour"
+               : numberOf(step.addedNodes.size(), "triangle of one colour gets a node in its middle",
+                          "triangles of one colour get a node in their middle");
+}
+
+/// Returns how many changes were refused before a step: "; 2 others tried before did not pay".
+std::string refusedText(const ImproveStep &step) {
+    return step.refused == 0
+               ? ""
+               : "; " + numberOf(step.refused, "other tried before did not pay", "others tried before did not pay");
+}
+
 std::string changeText(const ImproveStep &step) {
     switch (step.change) {
     case ImproveChange::Swap:
@@ -41,6 +58,29 @@ std::string changeText(const ImproveStep &step) {
         return "all further changes at once";
     case ImproveChange::Completion:
         return "minimum angle, boundary layers or nodes in the middle of edges added";
+    case ImproveChange::Pair:
+        return pairText(step);
+    case ImproveChange::Walk:
+        return "two triangles joined through the " + numberOf(step.elements.size(), "element", "elements") +
+               " between them";
+    case ImproveChange::Collapse:
+        return "two opposite corners of an element merged";
+    case ImproveChange::Rotate:
+        return "edge turned to the next corners of its two elements";
+    case ImproveChange::Split:
+        return "node split in two, with a new element between";
+    case ImproveChange::Doublet:
+        return "node between two elements removed: they become one";
+    case ImproveChange::Raise:
+        return "node of the boundary given one more element";
+    case ImproveChange::Insert:
+        return "node added: three elements in the place of two";
+    case ImproveChange::Inset:
+        return "smaller element put inside an element: five in its place";
+    case ImproveChange::Pass:
+        return "all changes of a pass over the irregular nodes";
+    case ImproveChange::DividePoor:
+        return "poor quadrilaterals divided into triangles";
     case ImproveChange::Renumber:
         break;
     }
@@ -69,7 +109,16 @@ ShapeFigures figuresOf(const MeshQuality &quality) {
 }
 
 std::string caption(const ImproveStep &step, std::size_t steps) {
-    return "Improvement " + std::to_string(step.number) + " of " + std::to_string(steps) + ": " + changeText(step) +
+    const std::string number = std::to_string(step.number) + " of " + std::to_string(steps) + ": ";
+    if (step.quads) {
+        const QuadFigures &before = step.quadsBefore, &after = step.quadsAfter;
+        return "Clean-up " + number + changeText(step) + refusedText(step) +
+               figureText("; irregular nodes", static_cast<double>(before.irregular),
+                          static_cast<double>(after.irregular), "%.0f") +
+               figureText(", scaled Jacobian minimum", before.jacobianMin, after.jacobianMin, "%.3f") +
+               figureText(", mean", before.jacobianMean, after.jacobianMean, "%.4f");
+    }
+    return "Improvement " + number + changeText(step) +
            figureText("; minimum α", step.before.alphaMin, step.after.alphaMin, "%.3f") +
            figureText(", mean α", step.before.alphaMean, step.after.alphaMean, "%.3f") +
            figureText(", minimum angle", step.before.minAngle, step.after.minAngle, "%.1f°");

@@ -17,6 +17,21 @@ struct ShapeFigures {
     double minAngle = 0.0; ///< degrees
 };
 
+/// The figures of a mesh of quadrilaterals by which a step of its clean-up is judged.
+struct QuadFigures {
+    double jacobianMin = 0.0, jacobianMean = 0.0; ///< scaled Jacobians
+    std::size_t irregular = 0;                    ///< interior nodes with other than four elements
+};
+
+/// An element of a step: three or four corners.
+struct StepElement {
+    std::array<Vec2, 4> at{};
+    unsigned count = 3;
+
+    const Vec2 *begin() const { return at.data(); }
+    const Vec2 *end() const { return at.data() + count; }
+};
+
 /// A step of the improvement of a finished front, and what it changed.
 struct ImproveStep {
     /// A node that stays in the mesh and moves.
@@ -30,8 +45,11 @@ struct ImproveStep {
     std::vector<Vec2> addedNodes, removedNodes;
     std::vector<std::array<Vec2, 2>> addedEdges;   ///< as they are after the step
     std::vector<std::array<Vec2, 2>> removedEdges; ///< as they were before it
-    std::vector<std::array<Vec2, 3>> elements;     ///< made by the step, after it
+    std::vector<StepElement> elements;             ///< made by the step, after it
     ShapeFigures before, after;                    ///< of the whole mesh
+    bool quads = false;                            ///< of a mesh of quadrilaterals, which has the figures below
+    QuadFigures quadsBefore, quadsAfter;
+    std::size_t refused = 0; ///< changes tried at the same node before this one, which did not pay
 };
 
 /// Returns the figures of a mesh.
@@ -39,7 +57,9 @@ ShapeFigures figuresOf(const TriMesh &mesh);
 ShapeFigures figuresOf(const MeshQuality &quality);
 
 /// Returns a step as a caption: "Improvement 3 of 41: edge swapped; minimum α .652 → .701, mean .931 → .932, minimum
-/// angle 31.2° → 33.0°". `steps`: of the improvement.
+/// angle 31.2° → 33.0°"; of quadrilaterals "Clean-up 7 of 90: edge turned to the next corners of its two elements; 2
+/// others tried before did not pay; irregular nodes 31 → 29, scaled Jacobian minimum 0.412, mean 0.9312 → 0.9330".
+/// `steps`: of the improvement.
 std::string caption(const ImproveStep &step, std::size_t steps);
 
 } // namespace forefront

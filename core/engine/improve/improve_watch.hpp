@@ -25,15 +25,28 @@ enum class ImproveChange : std::uint8_t {
     Polish,      ///< nodes move for the shapes alone
     Remainder,   ///< all changes not reported before, as one; comes last
     Completion,  ///< what follows improvement: the minimum angle, boundary layers, second order
-    Renumber     ///< nodes and elements get other numbers; nothing changes in the plane
+    Renumber,    ///< nodes and elements get other numbers; nothing changes in the plane
+    // Of quadrilaterals.
+    Pair,      ///< the last triangles of the front are joined, once it is closed
+    Walk,      ///< two triangles left over become quadrilaterals with those between them
+    Collapse,  ///< two opposite corners of an element become one node
+    Rotate,    ///< an edge between two elements joins the next corners instead
+    Split,     ///< a node becomes two, with a new element between them
+    Doublet,   ///< a node of two elements is removed
+    Raise,     ///< a node of the boundary gets one more element
+    Insert,    ///< a node makes three elements of two
+    Inset,     ///< a smaller element inside an element makes five of it
+    Pass,      ///< all changes of one pass over the irregular nodes, of a mesh too large for single ones
+    DividePoor ///< poor quadrilaterals are divided into triangles
 };
 
 template <>
 struct EnumWords<ImproveChange> {
-    static constexpr auto kLast = ImproveChange::Renumber;
-    static constexpr std::array<std::string_view, 12> kList = {"swap",   "sweep",     "restore",    "relaxed-swap",
-                                                               "merge",  "divide",    "cleanup",    "growth",
-                                                               "polish", "remainder", "completion", "renumber"};
+    static constexpr auto kLast = ImproveChange::DividePoor;
+    static constexpr std::array<std::string_view, 23> kList = {
+        "swap",   "sweep",     "restore",    "relaxed-swap", "merge", "divide", "cleanup",    "growth",
+        "polish", "remainder", "completion", "renumber",     "pair",  "walk",   "collapse",   "rotate",
+        "split",  "doublet",   "raise",      "insert",       "inset", "pass",   "divide-poor"};
 };
 
 /// The parts of a mesh that a change may have affected.

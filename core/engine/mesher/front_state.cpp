@@ -73,6 +73,10 @@ int AdvanceDelta::growth() const {
     case Kind::Next:
     case Kind::Three:
         return -1;
+    case Kind::Opening:
+        return 2;
+    case Kind::Closing:
+        return -2;
     case Kind::Loop:
         return -3;
     }

@@ -65,7 +65,9 @@ struct AdvanceDelta {
         Loop,       ///< the last element of a loop of three segments
         Connection, ///< apex elsewhere on Γ
         Two,        ///< AB, BN -> AC, CN with a new node over two segments
-        Three       ///< AB, BS, SN -> AC, CN with a new node over three
+        Three,      ///< AB, BS, SN -> AC, CN with a new node over three
+        Opening,    ///< two-coloured front: NewNode twice, recorded elsewhere
+        Closing     ///< two-coloured front: Next twice, recorded elsewhere
     };
     Kind kind = Kind::Deferral;
     bool forced = false;       ///< made by the closing stage
@@ -85,7 +87,23 @@ struct AdvanceDelta {
 
     /// Returns the number of elements made.
     unsigned elements() const {
-        return kind == Kind::Deferral ? 0U : kind == Kind::Two ? 2U : kind == Kind::Three ? 3U : 1U;
+        switch (kind) {
+        case Kind::Deferral:
+            return 0;
+        case Kind::Two:
+        case Kind::Opening:
+        case Kind::Closing:
+            return 2;
+        case Kind::Three:
+            return 3;
+        case Kind::NewNode:
+        case Kind::Previous:
+        case Kind::Next:
+        case Kind::Loop:
+        case Kind::Connection:
+            break;
+        }
+        return 1;
     }
     /// Returns the change in the number of segments of Γ.
     int growth() const;

@@ -174,6 +174,8 @@ void FrontUpdate<Grid>::undoTopology(const AdvanceDelta &delta) {
     const auto position = [&](NodeId node) { return state_.nodes[index(node) - state_.firstNode]; };
     switch (delta.kind) {
     case Kind::Deferral:
+    case Kind::Opening:
+    case Kind::Closing:
         break;
     case Kind::NewNode:
         front.undoInsertAfter(delta.a, delta.s, delta.markA);

@@ -73,6 +73,8 @@ void FrontUpdate<Grid>::forEachNew(const AdvanceDelta &delta, Visit &&visit) {
         visit(delta.b);
         break;
     case Kind::Loop:
+    case Kind::Opening: // done as two advances
+    case Kind::Closing:
         break;
     }
 }

@@ -1,14 +1,17 @@
 #pragma once
 
 #include "core/engine/base/progress.hpp"
+#include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesher/checkpoint.hpp"
 #include "core/engine/mesher/front_state.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/mesher/trace.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace forefront {
@@ -43,6 +46,8 @@ class Mesher {
                                    std::uint64_t maxElements) = 0;
     /// Undoes the last advance.
     virtual void retreat(const AdvanceDelta &delta) = 0;
+    /// Returns a checkpoint of the run at its position.
+    virtual Checkpoint checkpoint() const { return Checkpoint(state_); }
     /// Returns to a checkpoint of this run. `made` holds at least the nodes and elements made before it.
     virtual void restore(const Checkpoint &checkpoint, const MadeSoFar &made) = 0;
     /// Replaces the counters, after an advance that repeats an earlier one with other work.
@@ -51,6 +56,14 @@ class Mesher {
     virtual AdvanceExplanation explainNext() = 0;
     /// Calls visit(box, entries) for each cell of the background grid.
     virtual void forEachCell(const std::function<void(const Box2 &, std::uint32_t)> &visit) const = 0;
+
+    /// Returns a hash of everything that the rest of the run depends on: equal for states that are equal bit for bit.
+    virtual std::uint64_t stateHash() const { return state_.hash(); }
+    /// Returns the mesh made so far, if it has other elements than those of the state: halves of squares, joined where
+    /// both are made.
+    virtual std::optional<Mesh> joinedMesh() const { return std::nullopt; }
+    /// Returns the colour of each node; null: the front has no colours.
+    virtual const std::vector<std::uint8_t> *colours() const { return nullptr; }
 
     const FrontState &state() const { return state_; }
     bool finished() const { return state_.front.empty(); }

@@ -77,7 +77,7 @@ class Recorder {
     /// Records steps 9 and 10, after Γ has changed.
     void end(const FrontState &state, const AdvanceDelta &delta, Vec2 apex);
 
-  private:
+  protected:
     void event(Step step, std::uint32_t candidate = kNoIndex, std::uint32_t test = kNoIndex);
     void eventWithTies(Step step, std::uint32_t candidate, std::size_t equal);
     void propose(CandidateTrace candidate, double fieldRho, bool newNode);
@@ -86,9 +86,11 @@ class Recorder {
     std::uint32_t firstOfSearch_ = 0;     ///< index of the first candidate of the search ranked last
     std::vector<std::uint32_t> recorded_; ///< by candidate of that search: its index in the explanation
     std::uint32_t underTest_ = 0;         ///< index of the candidate under test
-    bool roundsTies_ = false;             ///< classic method
-    FrontRules rules_{};                  ///< classic method
-    FirstBases first_;                    ///< classic method
+
+  private:
+    bool roundsTies_ = false; ///< classic method
+    FrontRules rules_{};      ///< classic method
+    FirstBases first_;        ///< classic method
 };
 
 } // namespace forefront

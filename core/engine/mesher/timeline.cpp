@@ -86,7 +86,7 @@ std::uint64_t Timeline::nextCheckpoint() const {
 }
 
 void Timeline::keepCheckpoint() {
-    checkpoints_.push_back({position_, Checkpoint(mesher_->state())});
+    checkpoints_.push_back({position_, mesher_->checkpoint()});
     checkpointBytes_ += checkpoints_.back().state.bytes();
     if (checkpoints_.size() > kMaxCheckpoints || checkpointBytes_ > kMaxCheckpointBytes) {
         thinCheckpoints();

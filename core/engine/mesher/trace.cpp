@@ -1,6 +1,7 @@
 #include "core/engine/mesher/trace.hpp"
 
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/mesher/square_text.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -80,6 +81,12 @@ const char *verdictText(Verdict verdict) {
         return "crosses the front";
     case Verdict::ContainsNode:
         return "a node lies inside";
+    case Verdict::BadShape:
+        return "badly shaped";
+    case Verdict::OneColour:
+        return "would join three nodes of one colour";
+    case Verdict::FlatCorner:
+        return "would flatten a corner of the boundary";
     }
     return "";
 }
@@ -207,6 +214,9 @@ std::string testText(const AdvanceExplanation &explanation, const TraceEvent &ev
 std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
     std::string text =
         "Edge " + std::to_string(index(explanation.nodeA)) + "-" + std::to_string(index(explanation.nodeB)) + ": ";
+    if (explanation.coloured) {
+        return text + squareCaption(explanation, cursor);
+    }
     if (cursor >= explanation.events.size()) {
         return text + outcome(explanation);
     }

@@ -42,15 +42,31 @@ enum class Verdict : std::uint8_t {
     NotLeft,      ///< triangle ABC has no area on the left of AB, or is flat within rounding
     OutsideAngle, ///< AC or CB leaves the unmeshed side at A, B or C
     CrossesFront, ///< AC or CB meets a segment of Γ
-    ContainsNode  ///< a front node lies in ABC or, within rounding, on it
+    ContainsNode, ///< a front node lies in ABC or, within rounding, on it
+    BadShape,     ///< quadrilaterals: the square would be badly shaped or of the wrong size
+    OneColour,    ///< quadrilaterals: all nodes of the triangle would have one colour
+    FlatCorner    ///< quadrilaterals: a nearly straight angle of the boundary would be one corner
 };
 template <>
 struct EnumWords<Verdict> {
-    static constexpr auto kLast = Verdict::ContainsNode;
-    static constexpr std::array<std::string_view, 7> kList = {
-        "not-tried", "accepted", "withdrawn", "not-left", "outside-angle", "crosses-front", "contains-node"};
+    static constexpr auto kLast = Verdict::FlatCorner;
+    static constexpr std::array<std::string_view, 10> kList = {
+        "not-tried",     "accepted",      "withdrawn", "not-left",   "outside-angle",
+        "crosses-front", "contains-node", "bad-shape", "one-colour", "flat-corner"};
 };
 
+/// A square that the two-coloured front makes at once.
+enum class SquareKind : std::uint8_t {
+    None,    ///< half a square, found by a search
+    Row,     ///< continues a row at a corner of Γ, with one new node
+    Opening, ///< starts a row over a segment, with two new nodes
+    Closing  ///< closes a gap one square wide, without a new node
+};
+
+/// Returns the title of a step of the two-coloured front, such as "Take a base AB: a diagonal, else the oldest leg".
+std::string colouredStepTitle(Step step);
+/// Returns what a square does: "continues the row", "opens a row", "closes the gap"; empty for half a square.
+const char *squareText(SquareKind kind);
 /// Returns a verdict as text, such as "crosses the front".
 const char *verdictText(Verdict verdict);
 
@@ -71,6 +87,10 @@ struct CandidateTrace {
     Vec2 blockA, blockB;
     /// Classic method, an ideal point withdrawn by a blocking segment or node: its distance from it, and the clearance.
     double blockDistance = 0.0, blockClearance = 0.0;
+    // Quadrilaterals.
+    SquareKind square = SquareKind::None;
+    Vec2 second;     ///< Opening: the new node over A; `position` is the one over B. Closing: the other end of the gap
+    int colour = -1; ///< of the node: 0 or 1; -1: triangles
 };
 
 /// A test of a candidate segment against a segment of Γ.
@@ -118,6 +138,12 @@ struct AdvanceExplanation {
     FrontRules rules{};                    ///< classic method; else the defaults
     bool earlierDeferred = false; ///< classic method: a segment that comes earlier waits, since it was deferred
     bool walked = false;          ///< fast method: the base continues the walk along the front
+    // Quadrilaterals.
+    bool coloured = false;                ///< the advance is one of the two-coloured front
+    bool diagonal = false;                ///< A and B have one colour: AB is the diagonal of half a square
+    bool forced = false;                  ///< made of existing nodes, since no other choice was left
+    std::uint32_t row = 0;                ///< of AB, counted from the boundary or the start of the lattice
+    SquareKind square = SquareKind::None; ///< made by the advance
 };
 
 /// Returns a moment as a caption: "Edge 41-42: node 7 accepted (α 0.982); 2 candidates rejected: 2 cross the front; 1

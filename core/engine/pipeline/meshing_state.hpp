@@ -20,7 +20,8 @@ struct MeshingState {
     const MeshingJob &job;
     /// The number of elements that the job is coarsened to; infinite: it is not.
     double budget = std::numeric_limits<double>::infinity();
-    ImproveWatch *watch = nullptr; ///< learns of each change of the improvement; null: none
+    ImproveWatch *watch = nullptr;  ///< learns of each change of the improvement; null: none
+    QuadWatch *quadWatch = nullptr; ///< learns of each change of the clean-up of quadrilaterals; null: none
 
     DomainFaces faces{};      ///< of the domain as it is meshed, once it is validated
     PeriodicSides periodic{}; ///< segments tied to others, once the domain is validated

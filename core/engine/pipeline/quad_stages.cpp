@@ -1,6 +1,7 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/mapped/mapped_rows.hpp"
 #include "core/engine/pipeline/even_counts.hpp"
+#include "core/engine/pipeline/quad_start.hpp"
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/quads/quad_mesh.hpp"
 
@@ -33,26 +34,60 @@ std::vector<std::uint32_t> countsWithPeriodic(const MeshingJob &job, const Discr
     return counts;
 }
 
-Status quadFrontStage(MeshingState &state, const Progress &progress) {
+namespace {
+
+/// Makes the boundary of the front even.
+std::shared_ptr<const ColouredBoundary> evenBoundary(MeshingState &state, const Progress &progress) {
+    progress("making the boundary even", 0.0);
     const MeshingOptions &options = state.job.options;
     PreparedJob &prepared = state.prepared;
-    if (isFilled(prepared)) {
-        return {};
-    }
-    progress("making the boundary even", 0.0);
     // The edges of layers must stay; the front has a triangle where that leaves an odd number.
     const bool divide = !options.keepBoundary && options.elements == Elements::Quads && !prepared.layers;
     const std::vector<std::uint32_t> elements = countsWithPeriodic(state.meshed(), *prepared.boundary);
-    const ColouredBoundary boundary =
-        colourBoundary(*prepared.frontBoundary(), *prepared.spacing, {&state.meshed().domain, elements, divide});
+    auto boundary = std::make_shared<const ColouredBoundary>(
+        colourBoundary(*prepared.frontBoundary(), *prepared.spacing, {&state.meshed().domain, elements, divide}));
+    if (boundary->added > 0) {
+        prepared.boundary = std::shared_ptr<const DiscreteDomain>(boundary, &boundary->domain);
+    }
+    return boundary;
+}
+
+Status advanceQuads(MeshingState &state, const ColouredBoundary &boundary, QuadMesh &mesh, const Progress &progress) {
+    const MeshingOptions &options = state.job.options;
+    const PreparedJob &prepared = state.prepared;
     if (!advanceColoured({boundary, *prepared.spacing, options, prepared.estimatedElements, elementsToStopAt(options)},
-                         state.quads, progress)) {
+                         mesh, progress)) {
         return progress.cancelled() ? cancelled("meshing") : stoppedFront(prepared, options);
     }
-    state.work = state.quads.work;
-    if (boundary.added > 0) {
-        prepared.boundary = std::make_shared<const DiscreteDomain>(boundary.domain);
+    return {};
+}
+
+} // namespace
+
+Result<QuadStart> chooseQuadFront(MeshingState &state, const Progress &progress) {
+    if (isFilled(state.prepared)) {
+        const DiscreteDomain &domain = *state.prepared.frontBoundary();
+        std::vector<std::uint8_t> colours(domain.nodes.size(), 0);
+        return QuadStart{std::make_shared<const ColouredBoundary>(ColouredBoundary{domain, std::move(colours), 0, {}})};
     }
+    QuadStart start{evenBoundary(state, progress)};
+    QuadMesh mesh;
+    if (Status faults = advanceQuads(state, *start.boundary, mesh, progress); !faults.empty()) {
+        return faults;
+    }
+    start.lattice = mesh.report.lattice;
+    return start;
+}
+
+Status quadFrontStage(MeshingState &state, const Progress &progress) {
+    if (isFilled(state.prepared)) {
+        return {};
+    }
+    const std::shared_ptr<const ColouredBoundary> boundary = evenBoundary(state, progress);
+    if (Status faults = advanceQuads(state, *boundary, state.quads, progress); !faults.empty()) {
+        return faults;
+    }
+    state.work = state.quads.work;
     return {};
 }
 
@@ -60,7 +95,7 @@ Status quadCleanupStage(MeshingState &state, const Progress &progress) {
     if (isFilled(state.prepared)) {
         return {};
     }
-    cleanUp(state.quads, *state.prepared.spacing, state.job.options, progress);
+    cleanUp(state.quads, *state.prepared.spacing, state.job.options, progress, state.quadWatch);
     return {};
 }
 

@@ -16,8 +16,6 @@ namespace forefront {
 namespace {
 
 constexpr double kTrialElements = 10'000.0;
-/// Triangles per quadrilateral of the same spacing: the median over the samples.
-constexpr double kTrianglesPerQuad = 2.07;
 /// Memory per element of the front, the improvement and the mesh: the largest measured at 7·10⁴ to 7·10⁵ elements.
 constexpr double kBytesPerTriangle = 105.0, kBytesPerQuad = 370.0, kBytesPerSecondOrder = 100.0;
 

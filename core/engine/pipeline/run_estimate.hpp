@@ -9,6 +9,9 @@
 
 namespace FOREFRONT_API forefront {
 
+/// Triangles per quadrilateral of the same spacing: the median over the samples.
+inline constexpr double kTrianglesPerQuad = 2.07;
+
 /// What a run will need, estimated without meshing.
 struct RunEstimate {
     double elements = 0.0;

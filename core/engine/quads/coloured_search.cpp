@@ -46,8 +46,8 @@ Vec2 sideDirection(const GenerationFront &front, SlotId id, bool besideOutgoing)
     return {c * along.x - s * along.y, s * along.x + c * along.y};
 }
 
-template <class Grid>
-void ColouredSearch<Grid>::placeIdeals(Base &base) {
+template <class Grid, class Trace>
+void ColouredSearch<Grid, Trace>::placeIdeals(Base &base) {
     const std::uint8_t colourA = colour(base.nodeA), colourB = colour(base.nodeB);
     const double l = base.length;
     const Vec2 middle = midpoint(base.a, base.b), normal = (1.0 / l) * leftNormal(base.b - base.a);
@@ -71,8 +71,8 @@ void ColouredSearch<Grid>::placeIdeals(Base &base) {
 }
 
 /// Collects the segments of Γ near the box, each once, in the order of their slots: the same for every grid.
-template <class Grid>
-void ColouredSearch<Grid>::gather(const Box2 &box) {
+template <class Grid, class Trace>
+void ColouredSearch<Grid, Trace>::gather(const Box2 &box, SearchWork &work) {
     const GenerationFront &front = state_.front;
     if (stamps_.size() < front.capacity()) {
         stamps_.resize(front.capacity() + front.capacity() / 2, 0);
@@ -85,6 +85,8 @@ void ColouredSearch<Grid>::gather(const Box2 &box) {
     grid_.query(
         front, box,
         [&](SlotId id, bool near) {
+            ++work.delivered;
+            trace_.deliver(1);
             std::uint32_t &stamp = stamps_[index(id)];
             if (stamp != stamp_) {
                 stamp = stamp_;
@@ -93,7 +95,10 @@ void ColouredSearch<Grid>::gather(const Box2 &box) {
                 }
             }
         },
-        [](const Box2 &) {});
+        [&](const Box2 &cell) {
+            ++work.cells;
+            trace_.visitCell(cell);
+        });
     std::sort(found_.begin(), found_.end());
     neighbours_.clear();
     for (const SlotId id : found_) {
@@ -103,14 +108,15 @@ void ColouredSearch<Grid>::gather(const Box2 &box) {
     }
 }
 
-template <class Grid>
-bool ColouredSearch<Grid>::find(Base &base, double radius, ColouredCandidate &apex) {
+template <class Grid, class Trace>
+bool ColouredSearch<Grid, Trace>::find(Base &base, double radius, ColouredCandidate &apex, SearchWork &work) {
     placeIdeals(base);
-    return look(base, radius * base.rho, true, false, apex);
+    trace_.evaluateSpacing(base);
+    return look(base, {radius * base.rho, true, false}, apex, work);
 }
 
-template <class Grid>
-void ColouredSearch<Grid>::force(Base &base, double radius, ColouredCandidate &apex) {
+template <class Grid, class Trace>
+void ColouredSearch<Grid, Trace>::force(Base &base, double radius, ColouredCandidate &apex, SearchWork &work) {
     constexpr std::size_t kMaxSeen = 4096; // bounds the cost of bases that have no other choice
     const GenerationFront &front = state_.front;
     placeIdeals(base);
@@ -118,70 +124,106 @@ void ColouredSearch<Grid>::force(Base &base, double radius, ColouredCandidate &a
     bool flat = front.prev(base.slotA) == front.next(base.slotB); // the last element of a loop
     do { // ends at the latest when the search covers all of Γ, see ClassicAdvancer
         radius *= 2.0;
+        trace_.widen();
         FOREFRONT_ASSERT(std::isfinite(radius));
         flat = flat || neighbours_.size() > kMaxSeen || neighbours_.size() >= front.slots();
-    } while (!look(base, radius, false, flat, apex));
+    } while (!look(base, {radius, false, flat}, apex, work));
 }
 
-/// Tests the candidates within a radius in domain units, best score first, ties by id.
-template <class Grid>
-bool ColouredSearch<Grid>::look(const Base &base, double radius, bool newNodes, bool flat, ColouredCandidate &apex) {
-    Box2 box = boxAround(base.ideal, radius);
-    box.add(base.a);
-    box.add(base.b);
-    for (const Ideal &ideal : ideals_) {
-        box.add(ideal.at);
-    }
-    gather(box);
+template <class Grid, class Trace>
+ColouredCandidate ColouredSearch<Grid, Trace>::candidate(const Base &base, const Neighbour &n) const {
+    const std::uint8_t c = colour(n.nodeA);
+    const ColouredScore figures = score(base, n.a, c);
+    return {{kKnownBonus * figures.product(), n.a, n.nodeA, n.slot}, c, figures};
+}
+
+/// Collects the candidates within a radius in domain units, best score first, ties by id.
+template <class Grid, class Trace>
+void ColouredSearch<Grid, Trace>::propose(const Base &base, const Limits &limits) {
     candidates_.clear();
     const bool diagonal = colour(base.nodeA) == colour(base.nodeB);
     for (const Neighbour &n : neighbours_) {
-        if (n.nodeA == base.nodeA || n.nodeA == base.nodeB || distanceSquared(n.a, base.ideal) > radius * radius) {
+        if (n.nodeA == base.nodeA || n.nodeA == base.nodeB ||
+            distanceSquared(n.a, base.ideal) > limits.radius * limits.radius) {
             continue;
         }
-        const std::uint8_t c = colour(n.nodeA);
-        if (newNodes && ((diagonal && c == colour(base.nodeA)) || flattensCorner(base, n))) {
-            continue; // only if there is no other choice
+        // Only if there is no other choice.
+        const bool oneColour = limits.newNodes && diagonal && colour(n.nodeA) == colour(base.nodeA);
+        if (oneColour || (limits.newNodes && flattensCorner(base, n))) {
+            trace_.skip([&] { return candidate(base, n); }, oneColour ? Verdict::OneColour : Verdict::FlatCorner);
+            continue;
         }
-        candidates_.push_back({{kKnownBonus * score(base, n.a, c), n.a, n.nodeA, n.slot}, c});
+        candidates_.push_back(candidate(base, n));
     }
-    if (newNodes && (state_.smallNodesLeft > 0 || !base.small())) {
+    if (limits.newNodes && (state_.smallNodesLeft > 0 || !base.small())) {
         for (const Ideal &ideal : ideals_) {
-            if (isClear(base, ideal.at)) {
-                candidates_.push_back(
-                    {{score(base, ideal.at, ideal.colour), ideal.at, kNoNode, kNoSlot}, ideal.colour});
+            const auto here = [&] {
+                const ColouredScore figures = score(base, ideal.at, ideal.colour);
+                return ColouredCandidate{{figures.product(), ideal.at, kNoNode, kNoSlot}, ideal.colour, figures};
+            };
+            if (const std::optional<Obstacle> near = obstacle(base, ideal.at)) {
+                trace_.skip(here, Verdict::Withdrawn, *near);
+            } else {
+                candidates_.push_back(here());
             }
         }
     }
     std::stable_sort(
         candidates_.begin(), candidates_.end(),
         [](const ColouredCandidate &p, const ColouredCandidate &q) { return p.apex.score > q.apex.score; });
-    for (const ColouredCandidate &candidate : candidates_) {
-        if (passes(base, candidate.apex, flat)) {
-            apex = candidate;
+}
+
+/// Tests the candidates within a radius in domain units, best score first, ties by id.
+template <class Grid, class Trace>
+bool ColouredSearch<Grid, Trace>::look(const Base &base, const Limits &limits, ColouredCandidate &apex,
+                                       SearchWork &work) {
+    Box2 box = boxAround(base.ideal, limits.radius);
+    box.add(base.a);
+    box.add(base.b);
+    for (const Ideal &ideal : ideals_) {
+        box.add(ideal.at);
+    }
+    gather(box, work);
+    propose(base, limits);
+    work.candidates += static_cast<std::uint32_t>(candidates_.size());
+    trace_.rankSearch(base, candidates_, limits.radius);
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        trace_.beginTest(i);
+        const Verdict verdict = test(base, candidates_[i].apex, limits.flat, work);
+        trace_.endTest(verdict);
+        if (verdict == Verdict::Accepted) {
+            apex = candidates_[i];
             return true;
         }
+        ++work.rejected;
     }
     return false;
 }
 
-template <class Grid>
-bool ColouredSearch<Grid>::isClear(const Base &base, Vec2 p) const {
+/// Returns what is too near for a new node, a node of Γ (both ends are it) or a segment; null: nothing.
+template <class Grid, class Trace>
+std::optional<Obstacle> ColouredSearch<Grid, Trace>::obstacle(const Base &base, Vec2 p) const {
     const double node2 = kQuadNodeClearance * kQuadNodeClearance * base.rho * base.rho;
     const double segment2 = kQuadSegmentClearance * kQuadSegmentClearance * base.rho * base.rho;
-    return std::none_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
+    for (const Neighbour &n : neighbours_) {
         if (n.slot == base.slotA) {
-            return false;
+            continue;
         }
         const bool own = n.nodeA == base.nodeA || n.nodeA == base.nodeB;
-        return (!own && distanceSquared(p, n.a) < node2) || nearSegment(p, n.a, n.b, segment2);
-    });
+        if (!own && distanceSquared(p, n.a) < node2) {
+            return Obstacle{n.a, n.a, kQuadNodeClearance * base.rho};
+        }
+        if (nearSegment(p, n.a, n.b, segment2)) {
+            return Obstacle{n.a, n.b, kQuadSegmentClearance * base.rho};
+        }
+    }
+    return std::nullopt;
 }
 
 /// Returns true if the second half over a diagonal would take the whole of a nearly straight angle of the boundary as
 /// one corner: where an acute corner is closed first, that is the next node along its side.
-template <class Grid>
-bool ColouredSearch<Grid>::flattensCorner(const Base &base, const Neighbour &n) const {
+template <class Grid, class Trace>
+bool ColouredSearch<Grid, Trace>::flattensCorner(const Base &base, const Neighbour &n) const {
     const NodeId third = opposite_[index(base.slotA)];
     if (colour(base.nodeA) != colour(base.nodeB) || third == kNoNode) {
         return false;
@@ -195,37 +237,40 @@ bool ColouredSearch<Grid>::flattensCorner(const Base &base, const Neighbour &n) 
            (front.prev(base.slotA) == n.slot && wholeAngle(base.nodeA, base.a) > kStraight);
 }
 
-template <class Grid>
-double ColouredSearch<Grid>::score(const Base &base, Vec2 p, std::uint8_t c) const {
+template <class Grid, class Trace>
+ColouredScore ColouredSearch<Grid, Trace>::score(const Base &base, Vec2 p, std::uint8_t c) const {
     const std::uint8_t colourA = colour(base.nodeA);
+    const auto deltaTo = [&](Vec2 end) { return spacingConformity(distance(end, p), base.rho); };
     if (colourA == colour(base.nodeB)) {
-        return c == colourA ? kOneColour * shapeFactor(base.a, base.b, p)
-                            : halfSquare(p, base.a, base.b) * spacingConformity(distance(base.a, p), base.rho) *
-                                  spacingConformity(distance(base.b, p), base.rho);
+        return c == colourA ? ColouredScore{kOneColour * shapeFactor(base.a, base.b, p)}
+                            : ColouredScore{halfSquare(p, base.a, base.b), deltaTo(base.a), deltaTo(base.b)};
     }
-    return c == colourA ? halfSquare(base.b, p, base.a) * spacingConformity(distance(base.b, p), base.rho)
-                        : halfSquare(base.a, base.b, p) * spacingConformity(distance(base.a, p), base.rho);
+    return c == colourA ? ColouredScore{halfSquare(base.b, p, base.a), 1.0, deltaTo(base.b)}
+                        : ColouredScore{halfSquare(base.a, base.b, p), deltaTo(base.a), 1.0};
 }
 
-template <class Grid>
-bool ColouredSearch<Grid>::passes(const Base &base, const Candidate &apex, bool flat) const {
+template <class Grid, class Trace>
+Verdict ColouredSearch<Grid, Trace>::test(const Base &base, const Candidate &apex, bool flat, SearchWork &work) {
     if (flat ? orientation(base.a, base.b, apex.position) <= 0
              : isFlat(base.a, base.b, apex.position, kAvoidedFlatness)) {
-        return false;
+        return Verdict::NotLeft;
     }
     if (!anglesAllow(base, apex)) {
-        return false;
+        return Verdict::OutsideAngle;
     }
     const GenerationFront &front = state_.front;
     const bool known = apex.slot != kNoSlot;
     const bool existsAC = known && front.prev(base.slotA) == apex.slot;
     const bool existsCB = known && front.next(base.slotB) == apex.slot;
-    return (existsAC || !crosses(base, base.a, base.nodeA, apex)) &&
-           (existsCB || !crosses(base, base.b, base.nodeB, apex)) && !containsNode(base, apex, flat);
+    if ((!existsAC && crosses(base, base.a, base.nodeA, apex, work)) ||
+        (!existsCB && crosses(base, base.b, base.nodeB, apex, work))) {
+        return Verdict::CrossesFront;
+    }
+    return containsNode(base, apex, flat) ? Verdict::ContainsNode : Verdict::Accepted;
 }
 
-template <class Grid>
-bool ColouredSearch<Grid>::anglesAllow(const Base &base, const Candidate &apex) const {
+template <class Grid, class Trace>
+bool ColouredSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &apex) const {
     const GenerationFront &front = state_.front;
     const bool known = apex.slot != kNoSlot;
     if (!(known && front.prev(base.slotA) == apex.slot) &&
@@ -236,31 +281,46 @@ bool ColouredSearch<Grid>::anglesAllow(const Base &base, const Candidate &apex) 
            (front.insideAngle(base.slotB, apex.position) && (!known || front.insideAngle(apex.slot, base.b)));
 }
 
-template <class Grid>
-bool ColouredSearch<Grid>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to) const {
+template <class Grid, class Trace>
+bool ColouredSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to,
+                                          SearchWork &work) {
+    work.considered += static_cast<std::uint32_t>(neighbours_.size()) - 1U; // without AB, which is among them
     const Box2 box = boxOf(from, to.position);
-    return std::any_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
+    for (const Neighbour &n : neighbours_) {
         const bool sharesEnd = n.nodeA == fromNode || n.nodeB == fromNode || n.nodeA == to.node || n.nodeB == to.node;
-        return n.slot != base.slotA && !sharesEnd && box.overlaps(boxOf(n.a, n.b)) &&
-               segmentsMeet(from, to.position, n.a, n.b);
-    });
+        if (n.slot == base.slotA || sharesEnd || !box.overlaps(boxOf(n.a, n.b))) {
+            continue;
+        }
+        ++work.tested;
+        const bool meets = segmentsMeet(from, to.position, n.a, n.b);
+        trace_.testSegment(from, to.position, n.a, n.b, meets);
+        if (meets) {
+            trace_.block(n.a, n.b);
+            return true;
+        }
+    }
+    return false;
 }
 
-template <class Grid>
-bool ColouredSearch<Grid>::containsNode(const Base &base, const Candidate &apex, bool flat) const {
+template <class Grid, class Trace>
+bool ColouredSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &apex, bool flat) {
     Box2 box = boxOf(base.a, base.b);
     box.add(apex.position);
     box = box.grown(roundingMargin(box));
     const Vec2 c = apex.position;
-    return std::any_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
+    for (const Neighbour &n : neighbours_) {
         if (n.nodeA == base.nodeA || n.nodeA == base.nodeB || n.nodeA == apex.node || !box.contains(n.a)) {
-            return false;
+            continue;
         }
-        return insideOrOn(base.a, base.b, c, n.a) ||
-               (!flat && (nearlyOnSegment(base.a, c, n.a) || nearlyOnSegment(base.b, c, n.a)));
-    });
+        if (insideOrOn(base.a, base.b, c, n.a) ||
+            (!flat && (nearlyOnSegment(base.a, c, n.a) || nearlyOnSegment(base.b, c, n.a)))) {
+            trace_.block(n.a, n.a);
+            return true;
+        }
+    }
+    return false;
 }
 
-FOREFRONT_INSTANTIATE_FOR_GRIDS(ColouredSearch)
+FOREFRONT_INSTANTIATE_FOR_SQUARES(ColouredSearch)
 
 } // namespace forefront

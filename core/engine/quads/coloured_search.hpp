@@ -1,8 +1,10 @@
 #pragma once
 
-#include "core/engine/mesher/apex_search.hpp"
+#include "core/engine/quads/coloured_candidate.hpp"
+#include "core/engine/quads/square_trace.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace forefront {
@@ -18,28 +20,23 @@ double freeAngle(const GenerationFront &front, SlotId id);
 /// right angles. `beside`: the outgoing segment (true) or the incoming one.
 Vec2 sideDirection(const GenerationFront &front, SlotId id, bool besideOutgoing);
 
-/// An apex with its colour.
-struct ColouredCandidate {
-    Candidate apex;
-    std::uint8_t colour;
-};
-
 /// Finds the apex for a base of the two-coloured front: the right angle of half a square over a leg, or the second half
 /// of one over a diagonal. Changes only its own scratch memory.
-template <class Grid>
+template <class Grid, class Trace>
 class ColouredSearch {
   public:
     /// Refers to all of its arguments. `colours`: per node. `opposite`: per slot, the third node of the element that
     /// made its segment. `fixed`: the number of nodes of the boundary, which come first.
-    ColouredSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing,
+    ColouredSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace,
                    const std::vector<std::uint8_t> &colours, const std::vector<NodeId> &opposite, std::size_t fixed)
-        : state_(state), grid_(grid), spacing_(spacing), colours_(colours), opposite_(opposite), fixed_(fixed) {}
+        : state_(state), grid_(grid), spacing_(spacing), trace_(trace), colours_(colours), opposite_(opposite),
+          fixed_(fixed) {}
 
     /// Evaluates ρ at the base and finds the best apex within `radius` node spacings, new or on Γ. Returns false if
     /// there is none.
-    bool find(Base &base, double radius, ColouredCandidate &apex);
+    bool find(Base &base, double radius, ColouredCandidate &apex, SearchWork &work);
     /// Finds an apex among existing nodes alone, of any colour; doubles the radius until one passes, which cannot fail.
-    void force(Base &base, double radius, ColouredCandidate &apex);
+    void force(Base &base, double radius, ColouredCandidate &apex, SearchWork &work);
 
   private:
     struct Neighbour {
@@ -54,19 +51,27 @@ class ColouredSearch {
 
     std::uint8_t colour(NodeId node) const { return colours_[index(node)]; }
     void placeIdeals(Base &base);
-    void gather(const Box2 &box);
-    bool look(const Base &base, double radius, bool newNodes, bool flat, ColouredCandidate &apex);
-    bool isClear(const Base &base, Vec2 p) const;
+    struct Limits {
+        double radius;
+        bool newNodes;
+        bool flat;
+    };
+    void gather(const Box2 &box, SearchWork &work);
+    bool look(const Base &base, const Limits &limits, ColouredCandidate &apex, SearchWork &work);
+    void propose(const Base &base, const Limits &limits);
+    std::optional<Obstacle> obstacle(const Base &base, Vec2 p) const;
     bool flattensCorner(const Base &base, const Neighbour &n) const;
-    double score(const Base &base, Vec2 p, std::uint8_t colour) const;
-    bool passes(const Base &base, const Candidate &apex, bool flat) const;
+    ColouredScore score(const Base &base, Vec2 p, std::uint8_t colour) const;
+    ColouredCandidate candidate(const Base &base, const Neighbour &n) const;
+    Verdict test(const Base &base, const Candidate &apex, bool flat, SearchWork &work);
     bool anglesAllow(const Base &base, const Candidate &apex) const;
-    bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to) const;
-    bool containsNode(const Base &base, const Candidate &apex, bool flat) const;
+    bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to, SearchWork &work);
+    bool containsNode(const Base &base, const Candidate &apex, bool flat);
 
     const FrontState &state_;
     const Grid &grid_;
     const SpacingField &spacing_;
+    Trace &trace_;
     const std::vector<std::uint8_t> &colours_;
     const std::vector<NodeId> &opposite_;
     std::size_t fixed_;

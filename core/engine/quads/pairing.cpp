@@ -41,9 +41,19 @@ void divideOneColoured(TriMesh &mesh, std::vector<std::uint8_t> &colours, std::v
 
 } // namespace
 
-PairedCells pairTriangles(TriMesh &&mesh, std::vector<std::uint8_t> colours, std::vector<std::uint32_t> faces,
-                          const std::vector<std::uint64_t> &kept, bool keepTriangles) {
-    if (!keepTriangles) {
+std::vector<std::uint64_t> oneColouredEdges(const ColouredBoundary &boundary) {
+    std::vector<std::uint64_t> kept;
+    for (const std::uint32_t s : boundary.oneColoured) {
+        const auto [a, b] = std::minmax(boundary.domain.segments[s].a, boundary.domain.segments[s].b);
+        kept.push_back(pairKey(a, b));
+    }
+    std::sort(kept.begin(), kept.end());
+    return kept;
+}
+
+PairedCells pairTriangles(ColouredTriangles &&triangles, const std::vector<std::uint64_t> &kept, OneColoured rule) {
+    auto &[mesh, colours, faces] = triangles;
+    if (rule == OneColoured::Divide) {
         divideOneColoured(mesh, colours, faces);
     }
     PairedCells result;
@@ -62,7 +72,9 @@ PairedCells pairTriangles(TriMesh &&mesh, std::vector<std::uint8_t> colours, std
             return;
         }
         const std::size_t e = sides[0] / 3, f = sides[1] / 3;
-        if (used[e] != 0 || used[f] != 0) {
+        const bool stays = rule == OneColoured::Leave &&
+                           (hasOneColour(mesh.elements[e], colours) || hasOneColour(mesh.elements[f], colours));
+        if (used[e] != 0 || used[f] != 0 || stays) {
             return;
         }
         used[e] = used[f] = 1;

@@ -36,6 +36,26 @@ constexpr unsigned kCuringRounds = 3;
 constexpr double kCuredShape = 0.4; ///< minimum scaled Jacobian that curing aims at
 constexpr double kGoodShape = 0.75; ///< minimum scaled Jacobian that guarded smoothing and polishing aim at
 
+ImproveChange changeOf(QuadChange::Kind kind) {
+    switch (kind) {
+    case QuadChange::Kind::Collapse:
+        return ImproveChange::Collapse;
+    case QuadChange::Kind::Rotate:
+        return ImproveChange::Rotate;
+    case QuadChange::Kind::Split:
+        return ImproveChange::Split;
+    case QuadChange::Kind::Doublet:
+        return ImproveChange::Doublet;
+    case QuadChange::Kind::Raise:
+        return ImproveChange::Raise;
+    case QuadChange::Kind::Insert:
+        return ImproveChange::Insert;
+    case QuadChange::Kind::Inset:
+        return ImproveChange::Inset;
+    }
+    return ImproveChange::Pass;
+}
+
 } // namespace
 
 double QuadCleanup::elementLoss(const QuadCell &cell) const {
@@ -190,8 +210,25 @@ void QuadCleanup::growRecords() {
     changedAt_.resize(mesh_.nodes.size(), 1);
 }
 
+void QuadCleanup::tell(ImproveChange change) {
+    if (watch_ != nullptr) {
+        watch_->changed(change, mesh_, {});
+    }
+}
+
+/// Tells of a change of the elements around a node, with its trial's smoothing.
+void QuadCleanup::tell(const QuadChange &change, std::size_t refused) {
+    if (watch_ == nullptr) {
+        return;
+    }
+    toldCells_.assign(change.removed.begin(), change.removed.begin() + change.removedCount);
+    toldCells_.insert(toldCells_.end(), newCells_.begin(), newCells_.begin() + change.addedCount);
+    watch_->changed(changeOf(change.kind), mesh_, {false, regionNodes_, toldCells_, refused});
+}
+
 /// Keeps a change: the node and the elements that it has left over can be used again.
-void QuadCleanup::settle(const QuadChange &change) {
+void QuadCleanup::settle(const QuadChange &change, std::size_t refused) {
+    tell(change, refused);
     ++changes_;
     ++clock_;
     growRecords();
@@ -209,8 +246,8 @@ void QuadCleanup::settle(const QuadChange &change) {
     }
 }
 
-/// Makes a change, and undoes it unless it pays.
-bool QuadCleanup::attempt(const QuadChange &change) {
+/// Makes a change, and undoes it unless it pays. `refused`: changes tried before at the same place.
+bool QuadCleanup::attempt(const QuadChange &change, std::size_t refused) {
     gatherRegion(change);
     const double before = regionLoss();
     make(change);
@@ -229,7 +266,7 @@ bool QuadCleanup::attempt(const QuadChange &change) {
         }
     }
     if (regionLoss() < before - (curing_ ? kMinCuringGain : kMinGain)) {
-        settle(change);
+        settle(change, refused);
         return true;
     }
     unmake(change);
@@ -246,7 +283,7 @@ bool QuadCleanup::treat(std::uint32_t node) {
     found_.clear();
     findChanges(mesh_, node, effort_.generous, found_);
     for (std::size_t i = 0; i < std::min(found_.size(), kMaxTrials); ++i) {
-        if (attempt(found_[i])) {
+        if (attempt(found_[i], i)) {
             return true;
         }
     }
@@ -283,7 +320,7 @@ void QuadCleanup::removeDoublets() {
         if (describeDoublet(mesh_, n, change)) {
             gatherRegion(change);
             make(change);
-            settle(change);
+            settle(change, 0);
         }
     }
 }
@@ -292,17 +329,18 @@ void QuadCleanup::removeDoublets() {
 /// then each of its corners belongs to two elements.
 bool QuadCleanup::cure(std::uint32_t cell) {
     const QuadCell corners = mesh_.cells[cell];
+    std::size_t refused = 0;
     for (unsigned k = 0; k < cornersOf(corners); ++k) {
         found_.clear();
         findChanges(mesh_, corners[k], true, found_);
         for (const QuadChange &change : found_) { // all of them: the one that helps may be the least regular
-            if (attempt(change)) {
+            if (attempt(change, refused++)) {
                 return true;
             }
         }
     }
     QuadChange change;
-    return describeInset(mesh_, cell, change) && attempt(change);
+    return describeInset(mesh_, cell, change) && attempt(change, refused);
 }
 
 /// Cures elements that are flat or inverted after everything else: near sharp corners and in narrow places of the
@@ -322,24 +360,48 @@ void QuadCleanup::cureFlatElements(const Progress &progress) {
     curing_ = false;
 }
 
+/// Smooths the whole mesh, sweep by sweep if the watch wants that: the places are the same.
+void QuadCleanup::smooth(unsigned sweeps, void (*smoothing)(QuadWorkspace &, unsigned)) {
+    if (watch_ == nullptr || !watch_->wantsSweeps()) {
+        smoothing(mesh_, sweeps);
+        tell(ImproveChange::Sweep);
+        return;
+    }
+    for (unsigned s = 0; s < sweeps; ++s) {
+        smoothing(mesh_, 1);
+        tell(ImproveChange::Sweep);
+    }
+}
+
 bool QuadCleanup::run(const Progress &progress) {
+    constexpr auto freely = [](QuadWorkspace &mesh, unsigned sweeps) { smoothFreely(mesh, sweeps, kSpring); };
+    constexpr auto guarded = [](QuadWorkspace &mesh, unsigned sweeps) {
+        smoothGuarded(mesh, sweeps, kSpring, kGoodShape);
+    };
+    constexpr unsigned kPolishRounds = 4;
+    const auto polish = [&] {
+        polishShapes(mesh_, kGoodShape, kPolishRounds);
+        tell(ImproveChange::Polish);
+    };
     removeDoublets();
-    smoothFreely(mesh_, effort_.firstSweeps, kSpring);
+    tell(ImproveChange::Pass);
+    smooth(effort_.firstSweeps, freely);
     for (unsigned k = 0; k < effort_.passes; ++k) {
         const double share = 0.9 / effort_.passes;
         const bool changed = pass(progress, share * k, share * (k + 1));
+        tell(ImproveChange::Pass);
         mesh_.renewSpacing(spacing_);
-        smoothFreely(mesh_, effort_.sweeps, kSpring);
+        smooth(effort_.sweeps, freely);
         if (!changed) {
             break;
         }
     }
     progress("cleaning up quadrilaterals", 0.9);
-    smoothGuarded(mesh_, effort_.lastSweeps, kSpring, kGoodShape);
-    constexpr unsigned kPolishRounds = 4;
-    polishShapes(mesh_, kGoodShape, kPolishRounds);
+    smooth(effort_.lastSweeps, guarded);
+    polish();
     cureFlatElements(progress);
-    polishShapes(mesh_, kGoodShape, kPolishRounds);
+    tell(ImproveChange::Pass);
+    polish();
     return !progress.cancelled();
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/quads/quad_changes.hpp"
+#include "core/engine/quads/quad_watch.hpp"
 #include "core/engine/quads/quad_workspace.hpp"
 
 #include <cstddef>
@@ -24,8 +25,9 @@ struct QuadEffort {
 /// unless the loss of the elements there falls.
 class QuadCleanup {
   public:
-    QuadCleanup(QuadWorkspace &mesh, const SpacingField &spacing, const QuadEffort &effort)
-        : mesh_(mesh), spacing_(spacing), effort_(effort) {}
+    /// `watch`: learns of each change; null: none. Refers to its arguments but the effort.
+    QuadCleanup(QuadWorkspace &mesh, const SpacingField &spacing, const QuadEffort &effort, QuadWatch *watch = nullptr)
+        : mesh_(mesh), spacing_(spacing), effort_(effort), watch_(watch) {}
 
     /// Runs the clean-up: passes, smoothing, and a search for better places where shapes are poor. Returns false when
     /// cancelled; the mesh is then valid but not as good.
@@ -35,12 +37,15 @@ class QuadCleanup {
   private:
     bool pass(const Progress &progress, double from, double to);
     bool treat(std::uint32_t node);
-    bool attempt(const QuadChange &change);
+    bool attempt(const QuadChange &change, std::size_t refused);
     void gatherRegion(const QuadChange &change);
     void make(const QuadChange &change);
     void unmake(const QuadChange &change);
     void growRecords();
-    void settle(const QuadChange &change);
+    void settle(const QuadChange &change, std::size_t refused);
+    void tell(const QuadChange &change, std::size_t refused);
+    void tell(ImproveChange change);
+    void smooth(unsigned sweeps, void (*smoothing)(QuadWorkspace &, unsigned));
     double regionLoss() const;
     double elementLoss(const QuadCell &cell) const;
     double nodeLoss(std::uint32_t node) const;
@@ -51,6 +56,7 @@ class QuadCleanup {
     QuadWorkspace &mesh_;
     const SpacingField &spacing_;
     QuadEffort effort_;
+    QuadWatch *watch_;
     std::size_t changes_ = 0;
     /// Flat and inverted elements count far more, and trials look longer for good places. At the end, for few elements.
     bool curing_ = false;
@@ -64,6 +70,7 @@ class QuadCleanup {
     std::array<QuadCell, QuadChange::kMost> oldCells_{};
     std::array<std::uint32_t, QuadChange::kMost> newCells_{};
     std::array<std::uint32_t, QuadChange::kMaxNodes> newNodes_{};
+    std::vector<std::uint32_t> toldCells_; ///< removed and made by the change told last
 
     // Nodes tried in vain are skipped until something near them changes.
     std::uint32_t clock_ = 1;

@@ -1,12 +1,11 @@
 #include "core/engine/quads/quad_mesh.hpp"
 
-#include "core/engine/base/key_order.hpp"
 #include "core/engine/geometry/flat.hpp"
-#include "core/engine/grid/all_grids.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/mesher.hpp"
-#include "core/engine/quads/coloured_front.hpp"
+#include "core/engine/quads/front_layers.hpp"
 #include "core/engine/quads/pairing.hpp"
+#include "core/engine/quads/quad_blocks.hpp"
 #include "core/engine/quads/quad_cleanup.hpp"
 #include "core/engine/quads/quad_smooth.hpp"
 #include "core/engine/quads/walk_triangles.hpp"
@@ -19,8 +18,6 @@ namespace forefront {
 
 namespace {
 
-constexpr std::uint32_t kRowsBeforeLattice = 2;
-constexpr double kCellPerLength = 12.0; ///< as of the fast method
 /// Cost of a mesh that another front is not worth trying for.
 constexpr double kGoodEnough = 0.02;
 /// Quadrilaterals whose scaled Jacobian is lower are divided if triangles are allowed: a corner of 20 or 160 degrees.
@@ -28,38 +25,6 @@ constexpr double kDivideBelow = 0.35;
 
 QuadEffort effortFor(ImproveLevel level) {
     return level == ImproveLevel::Best ? QuadEffort{4, 4, 4, 6, 4, true} : QuadEffort{};
-}
-
-/// Joins the triangles of a finished front.
-QuadWorkspace joined(FrontState &&state, std::vector<std::uint8_t> colours, const QuadRequest &request) {
-    TriMesh triangles;
-    triangles.nodes = std::move(state.nodes);
-    triangles.elements = std::move(state.elements);
-    const DiscreteDomain &domain = request.boundary.domain;
-    std::vector<std::uint64_t> kept;
-    for (const std::uint32_t s : request.boundary.oneColoured) {
-        const auto [a, b] = std::minmax(domain.segments[s].a, domain.segments[s].b);
-        kept.push_back(pairKey(a, b));
-    }
-    std::sort(kept.begin(), kept.end());
-    const bool mixed = request.options.elements == Elements::Mixed;
-    PairedCells cells =
-        pairTriangles(std::move(triangles), std::move(colours), std::move(state.elementFaces), kept, mixed);
-    std::vector<std::array<std::uint32_t, 2>> tagged;
-    tagged.reserve(domain.segments.size());
-    for (const DiscreteSegment &s : domain.segments) {
-        tagged.push_back({s.a, s.b});
-    }
-    std::vector<std::uint32_t> fixedNodes;
-    for (const ConstraintPoint &point : domain.taggedPoints()) {
-        fixedNodes.push_back(point.node);
-    }
-    QuadWorkspace mesh(std::move(cells.nodes), std::move(cells.cells), std::move(cells.faces), tagged, fixedNodes,
-                       request.spacing);
-    if (!mixed) {
-        joinTriangles(mesh);
-    }
-    return mesh;
 }
 
 /// Returns the share of irregular nodes plus half of what the sides miss of the spacing. The second counts since rings
@@ -88,48 +53,24 @@ double costOf(const QuadWorkspace &mesh) {
 }
 
 /// Runs one front. Returns false when cancelled or stopped.
-template <class Grid>
-bool runFront(const QuadRequest &request, std::uint32_t rows, QuadMesh &mesh, const Progress &progress, double from) {
+bool runFront(const QuadRequest &request, bool lattice, QuadMesh &mesh, const Progress &progress, double from) {
     constexpr std::uint64_t kBatch = 4096;
-    const MeshingOptions &options = request.options;
-    ColouredFront<Grid> front(
-        request.boundary, request.spacing,
-        Grid::create({request.boundary.domain, request.spacing, options.gridColumns, options.gridRows, kCellPerLength}),
-        rows);
-    FrontState &state = front.state();
-    const auto expected = static_cast<std::size_t>(Mesher::kReserve * request.estimatedElements) + 1024;
-    state.elements.reserve(expected);
-    state.nodes.reserve(state.nodes.size() + expected / 2);
-    for (std::uint64_t count = 0; front.advance(); ++count) {
-        const std::uint64_t batch = std::clamp<std::uint64_t>(10'000'000 / (state.front.segments() + 1), 16, kBatch);
-        if (count % batch != 0) {
-            continue;
-        }
+    const std::shared_ptr<void> none; // the request outlives the front
+    const std::unique_ptr<ColouredMesher> front = ColouredMesher::create(
+        std::shared_ptr<const ColouredBoundary>(none, &request.boundary),
+        std::shared_ptr<const SpacingField>(none, &request.spacing), request.options, rowsOfFront(lattice));
+    front->reserve(static_cast<std::uint64_t>(Mesher::kReserve * request.estimatedElements) + 1024);
+    const FrontState &state = front->state();
+    do {
         if (progress.cancelled() || state.elements.size() / 2 > request.maxElements) {
             return false;
         }
         const double share = static_cast<double>(state.elements.size()) / (request.estimatedElements + 1.0);
         progress("advancing the front", from + 0.49 * std::min(1.0, share));
-    }
-    const ColouredWork &work = front.work();
-    mesh.report.rows = work.rows;
-    mesh.report.openings = work.openings;
-    mesh.report.closings = work.closings;
-    mesh.report.searched = work.searched;
-    mesh.report.lattice = rows != FrontLayers::kAllRows;
-    mesh.work = state.work;
-    mesh.elements = joined(std::move(state), std::move(front.colours()), request);
+    } while (front->advance(std::clamp<std::uint64_t>(10'000'000 / (state.front.segments() + 1), 16, kBatch)) > 0);
+    mesh = joinFront(front->takeTriangles(), *front, request.options, nullptr);
+    mesh.report.lattice = lattice;
     return true;
-}
-
-bool runFrontOn(GridKind grid, const QuadRequest &request, std::uint32_t rows, QuadMesh &mesh, const Progress &progress,
-                double from) {
-#define FOREFRONT_RUN_ON(unused, Grid)                                                                                 \
-    case Grid::kKind:                                                                                                  \
-        return runFront<Grid>(request, rows, mesh, progress, from);
-    switch (grid) { FOREFRONT_FOR_EACH_GRID(FOREFRONT_RUN_ON, ) }
-#undef FOREFRONT_RUN_ON
-    return false;
 }
 
 /// Divides poor quadrilaterals by the diagonal that makes the better triangles.
@@ -181,31 +122,78 @@ void countNodes(const QuadWorkspace &mesh, QuadReport &report) {
 
 } // namespace
 
+std::uint32_t rowsOfFront(bool lattice) {
+    constexpr std::uint32_t kRowsBeforeLattice = 2;
+    return lattice ? kRowsBeforeLattice : FrontLayers::kAllRows;
+}
+
 bool advanceColoured(const QuadRequest &request, QuadMesh &mesh, const Progress &progress) {
-    const GridKind grid = request.options.grid;
-    if (!runFrontOn(grid, request, FrontLayers::kAllRows, mesh, progress, 0.0)) {
+    if (!runFront(request, false, mesh, progress, 0.0)) {
         return false;
     }
     if (const double cost = costOf(mesh.elements); cost > kGoodEnough) {
         QuadMesh other;
-        if (!runFrontOn(grid, request, kRowsBeforeLattice, other, progress, 0.5)) {
+        if (!runFront(request, true, other, progress, 0.5)) {
             return false;
         }
         if (costOf(other.elements) < cost) {
             mesh = std::move(other);
         }
     }
-    mesh.report.addedNodes = request.boundary.added;
-    mesh.report.oddEdges = request.boundary.oneColoured.size();
     return true;
 }
 
-bool cleanUp(QuadMesh &mesh, const SpacingField &spacing, const MeshingOptions &options, const Progress &progress) {
-    QuadCleanup cleanup(mesh.elements, spacing, effortFor(options.improve));
+QuadMesh joinFront(ColouredTriangles triangles, const ColouredMesher &front, const MeshingOptions &options,
+                   QuadWatch *watch) {
+    const DiscreteDomain &domain = front.boundary();
+    const bool mixed = options.elements == Elements::Mixed;
+    PairedCells cells = pairTriangles(std::move(triangles), oneColouredEdges(front.colouredBoundary()),
+                                      mixed ? OneColoured::Join : OneColoured::Divide);
+    std::vector<std::array<std::uint32_t, 2>> tagged;
+    tagged.reserve(domain.segments.size());
+    for (const DiscreteSegment &s : domain.segments) {
+        tagged.push_back({s.a, s.b});
+    }
+    std::vector<std::uint32_t> fixedNodes;
+    for (const ConstraintPoint &point : domain.taggedPoints()) {
+        fixedNodes.push_back(point.node);
+    }
+    QuadMesh mesh;
+    mesh.elements = QuadWorkspace(std::move(cells.nodes), std::move(cells.cells), std::move(cells.faces), tagged,
+                                  fixedNodes, front.spacing());
+    if (watch != nullptr) {
+        watch->changed(ImproveChange::Pair, mesh.elements, {});
+    }
+    if (!mixed) {
+        joinTriangles(mesh.elements, watch);
+        if (watch != nullptr) {
+            watch->changed(ImproveChange::Walk, mesh.elements, {});
+        }
+    }
+    const ColouredWork &work = front.squares();
+    mesh.report.rows = work.rows;
+    mesh.report.openings = work.openings;
+    mesh.report.closings = work.closings;
+    mesh.report.searched = work.searched;
+    mesh.report.addedNodes = front.colouredBoundary().added;
+    mesh.report.oddEdges = front.colouredBoundary().oneColoured.size();
+    mesh.work = front.state().work;
+    return mesh;
+}
+
+bool cleanUp(QuadMesh &mesh, const SpacingField &spacing, const MeshingOptions &options, const Progress &progress,
+             QuadWatch *watch) {
+    QuadCleanup cleanup(mesh.elements, spacing, effortFor(options.improve), watch);
     const bool done = cleanup.run(progress);
     mesh.report.changes = cleanup.changes();
     if (options.elements == Elements::Mixed) {
         dividePoor(mesh.elements);
+        if (watch != nullptr) {
+            watch->changed(ImproveChange::DividePoor, mesh.elements, {});
+        }
+    }
+    if (watch != nullptr) {
+        watch->changed(ImproveChange::Remainder, mesh.elements, {});
     }
     return done;
 }
@@ -215,40 +203,9 @@ Mesh toMesh(QuadMesh &&mesh, const DiscreteDomain &boundary, QuadReport &report)
     report = mesh.report;
     countNodes(work, report);
     listNotConvex(work, report);
-    TriMesh tags;
-    addTags(tags, boundary, {});
-    tags.regions.clear();
-    // Nodes of the boundary keep their numbers.
-    std::vector<std::uint32_t> numbers(work.nodes.size(), kNoIndex);
-    for (std::uint32_t n = 0; n < work.nodes.size(); ++n) {
-        if (n < boundary.nodes.size() || work.valence(n) > 0) {
-            numbers[n] = static_cast<std::uint32_t>(tags.nodes.size());
-            tags.nodes.push_back(work.nodes[n]);
-        }
-    }
-    Mesh result(std::move(tags));
-    result.blocks.clear();
-    CellBlock triangles(CellKind::Triangle3), quads(CellKind::Quadrilateral4);
-    for (std::uint32_t c = 0; c < work.cells.size(); ++c) {
-        const QuadCell &cell = work.cells[c];
-        if (!isAlive(cell)) {
-            continue;
-        }
-        std::array<NodeId, 4> nodes{};
-        for (unsigned k = 0; k < cornersOf(cell); ++k) {
-            nodes[k] = NodeId{numbers[cell[k]]};
-        }
-        CellBlock &block = isTriangle(cell) ? triangles : quads;
-        block.add(std::span(nodes).first(cornersOf(cell)));
-        block.regions.push_back(boundary.regions.empty() ? 1 : boundary.regions[work.faceOf(c)].tag);
-    }
-    report.triangles = triangles.size();
-    report.quadrilaterals = quads.size();
-    for (CellBlock *block : {&triangles, &quads}) {
-        if (block->size() > 0) {
-            result.blocks.push_back(std::move(*block));
-        }
-    }
+    Mesh result = meshOfCells(work.view(), boundary);
+    report.triangles = result.triangles().size();
+    report.quadrilaterals = result.elementCount() - report.triangles;
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/quads/quad_blocks.hpp"
 #include "core/engine/quads/quad_cell.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 
@@ -57,6 +58,7 @@ class QuadWorkspace {
     std::vector<std::uint32_t> faces; ///< per element; empty if there is one face
     NodeCells around;
 
+    CellView view() const { return {nodes, cells, faces}; }
     bool isFixed(std::uint32_t node) const { return fixed_[node] != 0; }
     bool isTagged(std::uint32_t a, std::uint32_t b) const;
     /// Returns the number of elements that a node should have.

@@ -10,13 +10,24 @@ namespace {
 
 class TriangleWalk {
   public:
-    explicit TriangleWalk(QuadWorkspace &mesh) : mesh_(mesh), from_(mesh.cells.size(), kNoIndex) {}
+    TriangleWalk(QuadWorkspace &mesh, QuadWatch *watch)
+        : mesh_(mesh), watch_(watch), from_(mesh.cells.size(), kNoIndex) {}
 
     /// Joins this triangle to the nearest other one. Returns false if it cannot reach any.
     bool join(std::uint32_t triangle) {
         if (!findPath(triangle)) {
             return false;
         }
+        const bool joined = walk();
+        if (watch_ != nullptr) {
+            watch_->changed(ImproveChange::Walk, mesh_, {false, {}, path_});
+        }
+        return joined;
+    }
+
+  private:
+    /// Takes the triangle along the path and joins it to the one at its end.
+    bool walk() {
         std::uint32_t at = path_[0];
         for (std::size_t i = 1; i + 1 < path_.size(); ++i) {
             const std::optional<std::uint32_t> next = step(at, path_[i], path_[i + 1]);
@@ -28,7 +39,6 @@ class TriangleWalk {
         return merge(at, path_.back());
     }
 
-  private:
     /// Finds the shortest way to another triangle, breadth first.
     bool findPath(std::uint32_t triangle) {
         for (const std::uint32_t cell : seen_) { // not all of them: most searches are short
@@ -126,6 +136,7 @@ class TriangleWalk {
     }
 
     QuadWorkspace &mesh_;
+    QuadWatch *watch_;
     std::vector<std::uint32_t> from_; ///< per element: the one before it on the way
     std::vector<std::uint32_t> seen_; ///< elements of the last search, in its order
     std::vector<std::uint32_t> path_;
@@ -133,9 +144,9 @@ class TriangleWalk {
 
 } // namespace
 
-std::size_t joinTriangles(QuadWorkspace &mesh) {
+std::size_t joinTriangles(QuadWorkspace &mesh, QuadWatch *watch) {
     std::size_t left = 0;
-    TriangleWalk walk(mesh);
+    TriangleWalk walk(mesh, watch);
     for (std::uint32_t cell = 0; cell < mesh.cells.size(); ++cell) {
         if (isAlive(mesh.cells[cell]) && isTriangle(mesh.cells[cell])) {
             walk.join(cell);

@@ -61,7 +61,7 @@ MeshStepper::~MeshStepper() = default;
 Result<MeshStepper> MeshStepper::create(MeshingJob job, const Progress &progress, double budget) {
     try {
         auto shared = std::make_shared<const MeshingJob>(std::move(job));
-        Result<PreparedJob> prepared = prepareStepped(*shared, progress, budget);
+        Result<SteppedJob> prepared = prepareStepped(*shared, progress, budget);
         if (!prepared) {
             return prepared.faults();
         }

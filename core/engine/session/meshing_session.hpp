@@ -19,8 +19,7 @@ struct RunNumbers {
     std::uint64_t last = 0;
 };
 
-/// A meshing run on a worker thread, with a timeline that moves forward and back, as by a MeshStepper. Quadrilaterals
-/// have no timeline: start() makes their mesh as a whole, whatever the mode, and moves do nothing. Call all members
+/// A meshing run on a worker thread, with a timeline that moves forward and back, as by a MeshStepper. Call all members
 /// from one thread (the UI thread); all but wait() and waitForNews() return at once, and results appear in latest().
 /// Destruction cancels the run and joins the thread.
 class MeshingSession {

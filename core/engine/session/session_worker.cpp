@@ -57,41 +57,29 @@ void SessionWorker::fail(Diagnostics faults) {
 }
 
 void SessionWorker::execute(const StartCommand &command) {
-    if (!run_ && !whole_) {
+    if (!run_) {
         execute(ClearCommand{});
     }
     const RunState before = state_;
     number_ = command.number;
     diagnostics_.clear();
     quiet_ = command.mode == StartMode::RunQuiet;
-    // A mesh without a timeline is made here as well, so that it replaces the previous one only once it is finished.
+    // The front of quadrilaterals is chosen here as well, so that the previous mesh is replaced only once that is done.
     const Progress progress = progressInto(RunState::Preparing, mailbox_.beginBlocking(Blocking::Preparing));
     progress("validating", 0.0);
-    Result<PreparedJob> prepared = prepare(*command.job, progress, command.budget);
-    std::optional<WholeRun> whole;
-    Diagnostics faults = prepared ? Diagnostics{} : prepared.faults();
-    if (prepared && !canStep(command.job->options)) {
-        quiet_ = quiet_ && prepared->estimatedElements <= kQuietElements;
-        Result<WholeRun> made = WholeRun::make(*command.job, *std::move(prepared), number_, progress);
-        made ? static_cast<void>(whole.emplace(*std::move(made))) : static_cast<void>(faults = made.faults());
-    }
+    Result<SteppedJob> prepared = prepareStepped(*command.job, progress, command.budget);
     mailbox_.endBlocking();
-    if (!faults.empty()) {
-        keepPrevious(before, progress.cancelled(), std::move(faults));
+    if (!prepared) {
+        keepPrevious(before, progress.cancelled(), prepared.faults());
         return;
     }
     forget();
     shownNumber_ = number_;
-    if (whole) {
-        whole_ = std::move(whole);
-        rest(RunState::Finished);
-    } else {
-        startStepped(command, *std::move(prepared));
-    }
+    startStepped(command, *std::move(prepared));
 }
 
-void SessionWorker::startStepped(const StartCommand &command, PreparedJob prepared) {
-    quiet_ = quiet_ && prepared.estimatedElements <= kQuietElements;
+void SessionWorker::startStepped(const StartCommand &command, SteppedJob prepared) {
+    quiet_ = quiet_ && prepared.prepared.estimatedElements <= kQuietElements;
     run_.emplace(command.job, std::move(prepared), number_);
     run_->travel().setBreakpoints(breakpoints_);
     run_->awaitImprovement();
@@ -123,7 +111,7 @@ void SessionWorker::lookAhead() {
 
 void SessionWorker::keepPrevious(RunState before, bool cancelled, Diagnostics faults) {
     diagnostics_ = cancelled ? Diagnostics{} : std::move(faults);
-    if (run_ || whole_) {
+    if (run_) {
         rest(before == RunState::Running ? RunState::Paused : before);
     } else {
         rest(cancelled ? RunState::Cancelled : RunState::Failed);
@@ -137,7 +125,6 @@ void SessionWorker::execute(const ClearCommand &) {
 
 void SessionWorker::forget() {
     run_.reset();
-    whole_.reset();
     stageProgress_ = 0.0;
     diagnostics_.clear();
     stage_.clear();
@@ -335,9 +322,6 @@ void SessionWorker::publish(bool resting) {
         if (state_ != RunState::Improving && state_ != RunState::Preparing) {
             snapshot->progress = run_->travel().timeline().complete() ? 1.0 : frontProgress();
         }
-    } else if (whole_) {
-        whole_->fill(*snapshot, layers_);
-        snapshot->progress = state_ == RunState::Preparing ? stageProgress_ : 1.0;
     }
     mailbox_.deliver(std::move(snapshot));
     lastPublish_ = Clock::now();

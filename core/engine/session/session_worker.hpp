@@ -2,7 +2,6 @@
 
 #include "core/engine/session/session_mailbox.hpp"
 #include "core/engine/session/stepped_run.hpp"
-#include "core/engine/session/whole_run.hpp"
 
 #include <functional>
 #include <optional>
@@ -42,7 +41,7 @@ class SessionWorker {
     void execute(const LayersCommand &command);
 
     /// Starts a prepared job whose front can be stepped.
-    void startStepped(const StartCommand &command, PreparedJob prepared);
+    void startStepped(const StartCommand &command, SteppedJob prepared);
     /// Leaves the previous run as it was, but not playing, since the new one was cancelled or has faults.
     void keepPrevious(RunState before, bool cancelled, Diagnostics faults);
     /// Discards the run with its mesh and timeline.
@@ -70,8 +69,7 @@ class SessionWorker {
     std::function<void()> wake_;
 
     std::optional<SteppedRun> run_;
-    std::optional<WholeRun> whole_; ///< set while run_ is not: a run without a timeline
-    bool quiet_ = false;            ///< publish nothing before the run rests
+    bool quiet_ = false; ///< publish nothing before the run rests
     ImprovementPace improvement_ = ImprovementPace::Steps;
 
     RunState state_ = RunState::Empty;
@@ -79,7 +77,7 @@ class SessionWorker {
     std::string stage_;
     double stageProgress_ = 0.0;
     std::uint64_t number_ = 0;      ///< of the last start command
-    std::uint64_t shownNumber_ = 0; ///< number of run_ or whole_; 0: no run
+    std::uint64_t shownNumber_ = 0; ///< number of run_; 0: no run
     std::uint64_t sequence_ = 0;
     SnapshotLayers layers_;
     Breakpoints breakpoints_;

@@ -49,6 +49,7 @@ struct SnapshotLayers {
 struct FrontSegmentView {
     Vec2 a, b;
     NodeId nodeA = kNoNode, nodeB = kNoNode;
+    int colour = -1; ///< of A in a two-coloured front: 0 or 1; -1: none
 };
 
 /// A cell of the background grid.
@@ -113,9 +114,7 @@ struct SessionSnapshot {
     std::uint64_t advance = 0; ///< position on the timeline: advances done
     std::uint64_t known = 0;   ///< furthest advance reached so far
     bool complete = false;     ///< `known` is the end of the run
-    /// The run has a timeline. Quadrilaterals have none: their mesh appears as a whole, at advance 0 of 0.
-    bool stepped = true;
-    bool improved = false; ///< the mesh shown is the improved one (only at the end)
+    bool improved = false;     ///< the mesh shown is the improved one (only at the end)
     /// Steps of the improvement done, which follow the last advance, and their number; 0 before it is reached first.
     std::size_t improveStep = 0, improveSteps = 0;
     /// The step of the improvement that led here; null before the first one, and at the end unless stepped there.

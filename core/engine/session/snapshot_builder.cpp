@@ -19,13 +19,17 @@ void count(ShapeTally &tally, const FrontState &state, std::size_t element) {
     tally.add(state.nodes[index(n[0])], state.nodes[index(n[1])], state.nodes[index(n[2])]);
 }
 
-std::shared_ptr<const std::vector<FrontSegmentView>> frontOf(const GenerationFront &front) {
+/// `colours`: of the nodes; null: they have none.
+std::shared_ptr<const std::vector<FrontSegmentView>> frontOf(const GenerationFront &front,
+                                                             const std::vector<std::uint8_t> *colours) {
     auto view = std::make_shared<std::vector<FrontSegmentView>>();
     view->reserve(front.segments());
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         const SlotId id{i};
         if (front[id].alive && !front.isolated(id)) {
-            view->push_back({front.start(id), front.end(id), front[id].node, front[front.next(id)].node});
+            const NodeId node = front[id].node;
+            view->push_back({front.start(id), front.end(id), node, front[front.next(id)].node,
+                             colours == nullptr ? -1 : (*colours)[index(node)]});
         }
     }
     return view;
@@ -41,7 +45,8 @@ bool has(const AdvanceDelta &delta, MarkKind kind) {
     using Kind = AdvanceDelta::Kind;
     switch (kind) {
     case MarkKind::NewNode:
-        return delta.kind == Kind::NewNode || delta.kind == Kind::Two || delta.kind == Kind::Three;
+        return delta.kind == Kind::NewNode || delta.kind == Kind::Two || delta.kind == Kind::Three ||
+               delta.kind == Kind::Opening;
     case MarkKind::Rejection:
         return delta.rejected > 0;
     case MarkKind::Connection:
@@ -97,14 +102,14 @@ void SnapshotBuilder::fill(SessionSnapshot &snapshot, const Timeline &timeline, 
     snapshot.work = state.work;
     snapshot.frontSegments = state.front.segments();
     if (layers.front) {
-        snapshot.front = frontOf(state.front);
+        snapshot.front = frontOf(state.front, timeline.mesher().colours());
     }
     if (layers.cells) {
         snapshot.cells = cellsOf(timeline.mesher());
     }
     fillMesh(snapshot, timeline, layers.mesh, resting);
     if (resting) {
-        snapshot.stateHash = state.hash();
+        snapshot.stateHash = timeline.mesher().stateHash();
         if (!marks_ || marksKnown_ != timeline.known()) {
             marks_ = marksOf(timeline);
             curves_ = curvesOf(timeline);
@@ -119,9 +124,14 @@ void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeli
     const FrontState &state = timeline.mesher().state();
     growShapes(state);
     if (include && meshPosition_ != timeline.position()) {
-        auto view = std::make_shared<MeshSnapshot>();
-        view->mesh = toMesh(state, timeline.mesher().boundary());
-        view->alpha.assign(alpha_.begin(), alpha_.begin() + static_cast<std::ptrdiff_t>(state.elements.size()));
+        std::shared_ptr<MeshSnapshot> view;
+        if (std::optional<Mesh> joined = timeline.mesher().joinedMesh()) {
+            view = snapshotOf(*std::move(joined));
+        } else {
+            view = std::make_shared<MeshSnapshot>();
+            view->mesh = toMesh(state, timeline.mesher().boundary());
+            view->alpha.assign(alpha_.begin(), alpha_.begin() + static_cast<std::ptrdiff_t>(state.elements.size()));
+        }
         view->version = ++version_;
         mesh_ = std::move(view);
         meshPosition_ = timeline.position();
@@ -129,13 +139,20 @@ void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeli
     if (include) {
         snapshot.mesh = mesh_;
     }
-    const bool whole = resting && include && state.elements.size() <= kMeasureUpTo;
+    // The shapes of halves of squares say nothing about the mesh, so that one is measured on the way as well.
+    const bool joined = include && mesh_->whole != nullptr;
+    const bool whole = (resting || joined) && include && state.elements.size() <= kMeasureUpTo;
     if (whole && qualityPosition_ != timeline.position()) {
-        quality_ = measureQuality(mesh_->mesh, &timeline.mesher().spacing());
+        quality_ = measureQuality(mesh_->view(), &timeline.mesher().spacing());
         quality_.nodes = state.nodes.size();
         qualityPosition_ = timeline.position();
     }
     snapshot.quality = whole ? quality_ : quickQuality(state);
+    if (joined && !whole) {
+        snapshot.quality = {};
+        snapshot.quality.nodes = state.nodes.size();
+        snapshot.quality.elements = mesh_->whole->elementCount();
+    }
 }
 
 void SnapshotBuilder::growShapes(const FrontState &state) {

@@ -3,36 +3,56 @@
 #include "core/engine/base/assert.hpp"
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/pipeline/stages.hpp"
-#include "core/engine/session/whole_run.hpp"
 
 #include <utility>
 
 namespace forefront {
 
-Result<PreparedJob> prepareStepped(const MeshingJob &job, const Progress &progress, double budget) {
-    if (!canStep(job.options)) {
-        return error("not-stepped", "a mesh of quadrilaterals cannot be stepped; expected triangles",
-                     "choose triangles, or make the whole mesh with meshDomain() or forefront mesh --elements");
+Result<SteppedJob> prepareStepped(const MeshingJob &job, const Progress &progress, double budget) {
+    Result<PreparedJob> prepared = prepare(job, progress, budget);
+    if (!prepared) {
+        return prepared.faults();
     }
-    return prepare(job, progress, budget);
+    SteppedJob stepped{*std::move(prepared), std::nullopt};
+    if (job.options.elements != Elements::Triangles) {
+        MeshingState state{.job = job, .prepared = std::move(stepped.prepared)};
+        Result<QuadStart> start = chooseQuadFront(state, progress);
+        if (!start) {
+            return start.faults();
+        }
+        stepped = {std::move(state.prepared), *std::move(start)};
+    }
+    return stepped;
 }
 
-SteppedRun::SteppedRun(std::shared_ptr<const MeshingJob> job, PreparedJob prepared, std::uint64_t number)
-    : job_(std::move(job)), prepared_(std::move(prepared)), number_(number),
-      travel_(Mesher::create(prepared_.frontBoundary(), prepared_.spacing, job_->options)),
-      builder_((number + 1) << 32U) {}
+namespace {
+
+std::unique_ptr<Mesher> mesherOf(const MeshingJob &job, const PreparedJob &prepared,
+                                 const std::optional<QuadStart> &quads) {
+    return quads ? ColouredMesher::create(quads->boundary, prepared.spacing, job.options, rowsOfFront(quads->lattice))
+                 : Mesher::create(prepared.frontBoundary(), prepared.spacing, job.options);
+}
+
+} // namespace
+
+SteppedRun::SteppedRun(std::shared_ptr<const MeshingJob> job, SteppedJob prepared, std::uint64_t number)
+    : job_(std::move(job)), prepared_(std::move(prepared.prepared)), quads_(std::move(prepared.quads)), number_(number),
+      travel_(mesherOf(*job_, prepared_, quads_)), builder_((number + 1) << 32U) {}
 
 Diagnostics SteppedRun::excess() const {
-    const bool exceeds = travel_.timeline().mesher().state().elements.size() > elementsToStopAt(job_->options);
+    const std::size_t made = travel_.timeline().mesher().state().elements.size() / (quads_ ? 2 : 1);
+    const bool exceeds = made > elementsToStopAt(job_->options);
     return exceeds ? stoppedFront(prepared_, job_->options) : Diagnostics{};
 }
 
 Status SteppedRun::improve(const Progress &progress) {
     MeshingState state{.job = *job_, .prepared = prepared_};
-    state.triangles = meshOfFront();
     std::optional<ImproveRecord> record;
-    if (stepsImprovement_) {
-        record = recordFor(state.triangles);
+    if (quads_) {
+        joinQuads(state, stepsImprovement_);
+    } else {
+        state.triangles = meshOfFront();
+        record = stepsImprovement_ ? recordFor(state.triangles) : std::nullopt;
         state.watch = record ? &*record : nullptr;
     }
     if (Status faults = runStages(stagesAfterFront(), state, progress); !faults.empty()) {
@@ -41,7 +61,7 @@ Status SteppedRun::improve(const Progress &progress) {
     secondsImprove_ = state.improvement.seconds;
     final_ = takeFinished(state, number_);
     if (stepsImprovement_) {
-        takeSteps(std::move(record));
+        quads_ ? takeQuadSteps() : takeSteps(std::move(record));
     } else {
         travel_.setImprovement(0, {});
     }
@@ -51,6 +71,19 @@ Status SteppedRun::improve(const Progress &progress) {
 Status SteppedRun::recordImprovement(const Progress &progress) {
     FOREFRONT_ASSERT(improved() && travel_.atEnd());
     MeshingState state{.job = *job_, .prepared = prepared_};
+    if (quads_) {
+        joinQuads(state, true);
+        if (improves()) {
+            quadCleanupStage(state, progress);
+        }
+        if (progress.cancelled()) {
+            quadRecord_.reset();
+            return cancelled("the record of the clean-up");
+        }
+        stepsImprovement_ = true;
+        takeQuadSteps();
+        return {};
+    }
     state.triangles = meshOfFront();
     std::optional<ImproveRecord> record = recordFor(state.triangles);
     if (record) {
@@ -87,7 +120,46 @@ void SteppedRun::takeSteps(std::optional<ImproveRecord> record) {
 }
 
 bool SteppedRun::completes() const {
-    return job_->options.leastAngle || prepared_.layers || job_->options.order == ElementOrder::Second;
+    return (job_->options.leastAngle && !quads_) || prepared_.layers || job_->options.order == ElementOrder::Second;
+}
+
+const ColouredMesher &SteppedRun::colouredMesher() const {
+    return static_cast<const ColouredMesher &>(travel_.timeline().mesher()); // as mesherOf() made it
+}
+
+void SteppedRun::joinQuads(MeshingState &state, bool records) {
+    const ColouredMesher &front = colouredMesher();
+    quadRecord_.reset();
+    if (front.boundary().segments.empty()) { // mapped faces fill the domain
+        return;
+    }
+    ColouredTriangles triangles = front.triangles();
+    if (records) {
+        const bool single = triangles.mesh.elements.size() / 2 <= kSteppedElements;
+        quadRecord_.emplace(front.joinedCells(), front.boundary(),
+                            single ? QuadRecord::Detail::Changes : QuadRecord::Detail::Passes);
+        state.quadWatch = &*quadRecord_;
+    }
+    state.quads = joinFront(std::move(triangles), front, job_->options, state.quadWatch);
+    state.quads.report.lattice = quads_->lattice;
+}
+
+void SteppedRun::takeQuadSteps() {
+    std::vector<std::size_t> passEnds = quadRecord_ ? quadRecord_->passEnds() : std::vector<std::size_t>{};
+    std::size_t steps = quadRecord_ ? quadRecord_->steps() : 0;
+    if (completes() || !quadRecord_) {
+        passEnds.push_back(++steps);
+    }
+    travel_.setImprovement(steps, std::move(passEnds));
+}
+
+Mesh SteppedRun::meshOfStep(std::size_t number) {
+    if (quadRecord_) {
+        quadRecord_->moveTo(number);
+        return quadRecord_->mesh();
+    }
+    record_->moveTo(number);
+    return Mesh(record_->mesh());
 }
 
 void SteppedRun::stepImprovement() {
@@ -102,7 +174,21 @@ std::shared_ptr<const ImproveStep> SteppedRun::lastStep() {
         record_->moveTo(number);
         return std::make_shared<const ImproveStep>(record_->step());
     }
+    if (quadRecord_ && number <= quadRecord_->steps()) {
+        quadRecord_->moveTo(number);
+        return std::make_shared<const ImproveStep>(quadRecord_->step());
+    }
     auto step = std::make_shared<ImproveStep>();
+    if (quads_) {
+        step->change = ImproveChange::Completion;
+        step->number = number;
+        step->quads = quadRecord_.has_value();
+        if (quadRecord_) {
+            quadRecord_->moveTo(quadRecord_->steps());
+            step->quadsBefore = step->quadsAfter = quadRecord_->figures(); // of the part that the front made
+        }
+        return step;
+    }
     step->change = record_ || !improves() ? ImproveChange::Completion : ImproveChange::Remainder;
     step->number = number;
     if (record_) {
@@ -113,6 +199,18 @@ std::shared_ptr<const ImproveStep> SteppedRun::lastStep() {
     }
     step->after = figuresOf(final_.quality);
     return step;
+}
+
+/// Returns the figures that follow from the shapes alone; of quadrilaterals the number of elements.
+MeshQuality SteppedRun::shapesOfStep(std::size_t number) {
+    if (quadRecord_) {
+        quadRecord_->moveTo(number);
+        MeshQuality quality;
+        quality.elements = quadRecord_->elements();
+        return quality;
+    }
+    record_->moveTo(number);
+    return record_->shapes();
 }
 
 /// Fills in the mesh after a step of the improvement, before its last one, and what the step changed.
@@ -130,8 +228,7 @@ void SteppedRun::fillStep(SessionSnapshot &snapshot, bool withMesh, bool resting
         return;
     }
     if (!stepMesh_ && withMesh) {
-        record_->moveTo(number);
-        std::shared_ptr<MeshSnapshot> view = snapshotOf(Mesh(record_->mesh()));
+        std::shared_ptr<MeshSnapshot> view = snapshotOf(meshOfStep(number));
         constexpr std::uint64_t kOfSteps = std::uint64_t{1} << 31U; // the front has fewer versions
         view->version = ((number_ + 1) << 32U) + kOfSteps + number;
         stepMesh_ = std::move(view);
@@ -141,8 +238,7 @@ void SteppedRun::fillStep(SessionSnapshot &snapshot, bool withMesh, bool resting
         stepQuality_ = measureQuality(stepMesh_->view(), prepared_.spacing.get());
     }
     if (!stepShapes_) {
-        record_->moveTo(number);
-        stepShapes_ = record_->shapes();
+        stepShapes_ = shapesOfStep(number);
     }
     snapshot.mesh = withMesh ? stepMesh_ : nullptr;
     snapshot.quality = measured ? *stepQuality_ : *stepShapes_;

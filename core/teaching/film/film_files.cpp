@@ -10,6 +10,7 @@
 #include "core/teaching/film/png_writer.hpp"
 #include "core/teaching/film/video_writer.hpp"
 #include "core/teaching/moment/moment.hpp"
+#include "core/teaching/moment/triangles_only.hpp"
 #include "core/teaching/page/run_page.hpp"
 
 #include <algorithm>
@@ -277,6 +278,9 @@ std::string outputFault(const FilmPlan &plan) {
 }
 
 Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
+    if (Diagnostics refusal = refusalOfQuads(job.options, "a film"); !refusal.empty()) {
+        return refusal;
+    }
     try {
         if (plan.isPage()) {
             return writePage(job, plan, progress);

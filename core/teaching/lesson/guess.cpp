@@ -62,6 +62,12 @@ std::string whyNot(const CandidateTrace &guessed, const CandidateTrace &chosen) 
         return "A side to " + name + " would cross the front; " + winner + " is used.";
     case Verdict::ContainsNode:
         return "The triangle with " + name + " would contain a node of the front; " + winner + " is used.";
+    case Verdict::BadShape:
+        return "The square with " + name + " would be badly shaped; " + winner + " is used.";
+    case Verdict::OneColour:
+        return "With " + name + " three nodes of one colour would be joined; " + winner + " is used.";
+    case Verdict::FlatCorner:
+        return "With " + name + " a corner of the boundary would be flat; " + winner + " is used.";
     case Verdict::Accepted:
         break;
     }

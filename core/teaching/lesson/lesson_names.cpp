@@ -14,7 +14,7 @@ constexpr int kStepRows = 10;
 constexpr std::string_view kLayers[] = {"picture",     "domain",  "size",       "lattice", "quality", "mesh",
                                         "regions",     "grid",    "boundary",   "front",   "tests",   "candidates",
                                         "improvement", "rays",    "guides",     "links",   "sketch",  "marks",
-                                        "labels",      "numbers", "dimensions", "faults"};
+                                        "labels",      "numbers", "dimensions", "faults",  "colours"};
 constexpr std::string_view kPanels[] = {"shapes",    "inspector", "names",      "parameters", "spacing",
                                         "meshing",   "steps",     "candidates", "rules",      "statistics",
                                         "histogram", "probe",     "checks",     "adapt",      "layers",
@@ -38,6 +38,7 @@ constexpr std::string_view kTimeline[] = {"start",
                                           "granularity/Event",
                                           "granularity/Element",
                                           "granularity/Advance",
+                                          "granularity/Square",
                                           "granularity/Layer"};
 constexpr std::string_view kStatistics[] = {
     "Nn",       "Ne",   "area",   "Γ",       "Nb",   "Nc",     "Ns",      "Nt",    "cells",  "candidates", "new nodes",

@@ -39,11 +39,20 @@ std::optional<double> ofAdvance(LessonValue value, const AdvanceExplanation &adv
         return static_cast<double>(advance.delivered);
     case LessonValue::Alpha:
         return won ? std::optional(winner->alpha) : std::nullopt;
+    case LessonValue::Square:
+        return advance.coloured ? std::optional(static_cast<double>(advance.square)) : std::nullopt;
+    case LessonValue::Row:
+        return advance.coloured ? std::optional(advance.row + 1.0) : std::nullopt;
     case LessonValue::Score:
         return won ? std::optional(winner->score) : std::nullopt;
     default:
         return std::nullopt;
     }
+}
+
+/// Returns true if a run shows a step of the clean-up of quadrilaterals.
+bool cleansUp(const SessionSnapshot &run) {
+    return run.improvement != nullptr && run.improvement->quads;
 }
 
 double cellsMean(const WorkCounters &work) {
@@ -101,6 +110,10 @@ std::optional<double> valueOf(LessonValue value, const LessonState &state) {
         return run.quality.alphaMean;
     case LessonValue::MeanDelta:
         return run.quality.deltaMean;
+    case LessonValue::Irregular:
+        return cleansUp(run) ? std::optional(static_cast<double>(run.improvement->quadsAfter.irregular)) : std::nullopt;
+    case LessonValue::MinJacobian:
+        return cleansUp(run) ? std::optional(run.improvement->quadsAfter.jacobianMin) : std::nullopt;
     case LessonValue::ImproveStep:
         return static_cast<double>(run.improveStep);
     case LessonValue::ImproveSteps:

@@ -31,6 +31,8 @@ enum class LessonValue : std::uint8_t {
     MeanDelta,    ///< of the mesh shown
     ImproveStep,  ///< steps of the improvement done
     ImproveSteps, ///< all steps of the improvement; 0 before the front has been finished once
+    Irregular,    ///< of a step of the clean-up of quadrilaterals: irregular nodes after it
+    MinJacobian,  ///< likewise: minimum scaled Jacobian
     Base,         ///< length of AB; this value and all further ones belong to the advance shown
     Rho,          ///< ρ used, after clamping
     FieldRho,     ///< ρ of the node spacing function
@@ -43,19 +45,22 @@ enum class LessonValue : std::uint8_t {
     Segments,     ///< segments delivered by the grid
     Alpha,        ///< α of the accepted candidate
     Score,        ///< of the accepted candidate
+    Square,       ///< of quadrilaterals: 1 continues a row, 2 opens one, 3 closes a gap, 0 half a square or nothing
+    Row,          ///< of quadrilaterals: the row of AB, from 1
     Chosen        ///< rank of the candidate that the learner chose in the Candidates panel; 0: none
 };
 
 template <>
 struct EnumWords<LessonValue> {
     static constexpr auto kLast = LessonValue::Chosen;
-    static constexpr std::array<std::string_view, 30> kList = {
-        "advance",      "finished",      "front",     "elements",   "new-nodes",
-        "deferrals",    "forced",        "Nb",        "Nc",         "Ns",
-        "Nt",           "cells",         "min-alpha", "mean-alpha", "mean-delta",
-        "improve-step", "improve-steps", "base",      "rho",        "field-rho",
-        "radius",       "candidates",    "winner",    "rejected",   "tests",
-        "visited",      "delivered",     "alpha",     "score",      "chosen"};
+    static constexpr std::array<std::string_view, 34> kList = {
+        "advance",      "finished",      "front",     "elements",     "new-nodes",
+        "deferrals",    "forced",        "Nb",        "Nc",           "Ns",
+        "Nt",           "cells",         "min-alpha", "mean-alpha",   "mean-delta",
+        "improve-step", "improve-steps", "irregular", "min-jacobian", "base",
+        "rho",          "field-rho",     "radius",    "candidates",   "winner",
+        "rejected",     "tests",         "visited",   "delivered",    "alpha",
+        "score",        "square",        "row",       "chosen"};
 };
 
 /// The state that lesson values are read from.

@@ -23,10 +23,15 @@ struct ShownRun {
     std::size_t moments = 0;          ///< after the front, that the player has, see RecordedRun::improveMoments()
 };
 
+/// Returns true if the run of a page is one of quadrilaterals, which the player does not show.
+bool makesQuads(const LessonPage &page) {
+    return page.document && documentOf(page)->options.elements != Elements::Triangles;
+}
+
 /// Returns the index into `runs` of the run that a page shows, which becomes a new one if none of them is the same;
-/// -1 without a drawing.
+/// -1 without a drawing, or if the player cannot show it.
 int runOf(const LessonPage &page, std::vector<ShownRun> &runs) {
-    if (!page.document) {
+    if (!page.document || makesQuads(page)) {
         return -1;
     }
     const auto found =
@@ -70,7 +75,8 @@ class LessonData {
   public:
     LessonData(TextWriter &out, const Progress &progress) : out_(out), progress_(progress) {}
 
-    /// Writes a page as an object. `number`: the index of its run; -1: `run` is null. `moments`: see ShownRun.
+    /// Writes a page as an object. `number`: the index of its run; -1: the page for a browser shows none, though values
+    /// are those of `run` unless it is null. `moments`: see ShownRun.
     void page(const LessonPage &page, int number, LessonRun *run, std::size_t moments) {
         page_ = &page;
         run_ = run;
@@ -83,7 +89,11 @@ class LessonData {
         const LessonState state{*shown};
         out_ << "{\"title\":" << scriptString(page.title) << ",\"run\":" << number << ",\"at\":";
         position(page.position);
-        if (shown->improveStep > 0 && !momentOf(shown->improveStep)) {
+        shows_ = number >= 0;
+        if (run != nullptr && !shows_) {
+            out_ << ",\"note\":"
+                 << scriptString("This page is about a front of quadrilaterals, which the editor shows.");
+        } else if (shown->improveStep > 0 && !momentOf(shown->improveStep)) {
             out_ << ",\"note\":"
                  << scriptString("This page is about step " + std::to_string(shown->improveStep) + " of " +
                                  std::to_string(shown->improveSteps) +
@@ -188,7 +198,7 @@ class LessonData {
             out_ << ']';
         } else if (task != nullptr) {
             out_ << ",\"asksForCandidate\":" << (asksForCandidate(*task) ? "true" : "false") << ",\"done\":[";
-            const bool any = moments(*task, question.why);
+            const bool any = shows_ && moments(*task, question.why);
             out_ << ']';
             if (!any) {
                 out_ << ",\"note\":"
@@ -264,6 +274,7 @@ class LessonData {
     const LessonPage *page_ = nullptr;
     LessonRun *run_ = nullptr;
     std::size_t moments_ = 0; ///< of the improvement, that the player has
+    bool shows_ = false;      ///< the page for a browser shows the run
     WordList words_;
     Diagnostics warnings_;
 };
@@ -370,7 +381,7 @@ Status writeLessonPage(const Lesson &lesson, LessonRuns &runs, TextWriter &out, 
     LessonData data(out, progress);
     for (std::size_t k = 0; k < lesson.pages.size(); ++k) {
         out << (k == 0 ? "" : ",\n");
-        if (runOfPage[k] < 0) {
+        if (!lesson.pages[k].document) {
             data.page(lesson.pages[k], -1, nullptr, 0);
             continue;
         }
@@ -378,7 +389,8 @@ Status writeLessonPage(const Lesson &lesson, LessonRuns &runs, TextWriter &out, 
         if (!run) {
             return run.faults();
         }
-        data.page(lesson.pages[k], runOfPage[k], run->get(), shown[static_cast<std::size_t>(runOfPage[k])].moments);
+        const std::size_t moments = runOfPage[k] >= 0 ? shown[static_cast<std::size_t>(runOfPage[k])].moments : 0;
+        data.page(lesson.pages[k], runOfPage[k], run->get(), moments);
         if (progress.cancelled()) { // the moments of its task may be incomplete
             return error("cancelled", "the page was cancelled");
         }

@@ -53,7 +53,9 @@ Moment momentOf(const SessionSnapshot &snapshot) {
         }
         if (event.step == Step::Sort && advance.events.size() > i) {
             for (std::size_t c = 0; c < advance.candidates.size(); ++c) {
-                moment.judged[c] = moment.judged[c] || advance.candidates[c].verdict == Verdict::Withdrawn;
+                const Verdict verdict = advance.candidates[c].verdict;
+                moment.judged[c] = moment.judged[c] || verdict == Verdict::Withdrawn || verdict == Verdict::OneColour ||
+                                   verdict == Verdict::FlatCorner;
             }
         }
     }

@@ -2,6 +2,7 @@
 
 #include "core/engine/mesh/quality.hpp"
 #include "core/files/json/json.hpp"
+#include "core/teaching/moment/triangles_only.hpp"
 #include "core/teaching/page/run_record.hpp"
 
 #include <utility>
@@ -37,6 +38,9 @@ Result<RecordedRun> recordRun(const MeshingJob &job, const RunPagePlan &plan, co
 
 Result<RecordedRun> recordRun(MeshStepper &stepper, const MeshingOptions &options, const RunPagePlan &plan,
                               const Progress &progress) {
+    if (Diagnostics refusal = refusalOfQuads(options, "a page"); !refusal.empty()) {
+        return refusal;
+    }
     stepper.seek(0);
     RecordedRun run{options, stepper.mesh(), stepper.front(), {}, {}, false, {}};
     while (!plan.steps || run.advances.size() < plan.from + *plan.steps) {

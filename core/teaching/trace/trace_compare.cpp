@@ -2,6 +2,7 @@
 
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
+#include "core/teaching/moment/triangles_only.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -198,6 +199,9 @@ class AdvanceComparison {
 
 Result<TraceComparison> compareTrace(MeshingJob job, std::span<const TracedAdvance> trace,
                                      std::optional<std::uint64_t> steps, const Progress &progress) {
+    if (Diagnostics refusal = refusalOfQuads(job.options, "a trace"); !refusal.empty()) {
+        return refusal;
+    }
     job.options.improve = ImproveLevel::None;
     job.options.order = ElementOrder::First;
     const FrontRules rules = job.options.method == Method::Classic ? job.options.rules : FrontRules();

@@ -3,6 +3,7 @@
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/files/json/json_text.hpp"
 #include "core/files/rules/rules_json.hpp"
+#include "core/teaching/moment/triangles_only.hpp"
 
 #include <limits>
 #include <string_view>
@@ -107,6 +108,9 @@ class TraceWriter {
 } // namespace
 
 Status writeTrace(MeshingJob job, std::optional<std::uint64_t> steps, TextWriter &out, const Progress &progress) {
+    if (Diagnostics refusal = refusalOfQuads(job.options, "a trace"); !refusal.empty()) {
+        return refusal;
+    }
     job.options.improve = ImproveLevel::None;
     job.options.order = ElementOrder::First;
     const std::string_view method = wordOf(job.options.method), grid = wordOf(job.options.grid);

@@ -26,6 +26,7 @@ enum class RunExtent : std::uint8_t { Preview, Full };
 struct RunStart {
     std::uint64_t revision = 0;
     Method method = Method::Fast;
+    bool quads = false; ///< of quadrilaterals
     bool live = false;
     RunExtent extent = RunExtent::Full;
     LengthUnit unit = LengthUnit::None;

@@ -1,7 +1,6 @@
 #include "ui/workspace/run/run_control.hpp"
 
 #include "core/drawing/document/equality.hpp"
-#include "core/engine/session/whole_run.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/document/document_store.hpp"
 #include "ui/workspace/mesh/element_words.hpp"
@@ -102,7 +101,7 @@ void RunControl::refresh() {
 namespace {
 
 std::string resultText(const SessionSnapshot &s) {
-    const std::string counts = s.stepped && !s.order
+    const std::string counts = !s.order && (!s.mesh || !s.mesh->whole)
                                    ? ui::format("%llu triangles", static_cast<unsigned long long>(s.quality.elements))
                                    : elementsInWords(s.quality.kinds);
     return counts + ui::format(", %llu nodes in %.3g s; minimum \xce\xb1 %.3f, mean %.3f",
@@ -223,7 +222,7 @@ bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) co
     const bool follows = last != run_->starts.end() && last->second.live && last->second.extent == RunExtent::Full;
     const bool large =
         newest.run == run_->lastStart && (newest.state == RunState::Running || newest.state == RunState::Improving ||
-                                          (newest.state == RunState::Preparing && !steps()));
+                                          (newest.state == RunState::Preparing && makesQuads()));
     return follows || (large && gestureOver);
 }
 
@@ -340,13 +339,14 @@ MeshingJob RunControl::job() const {
 
 void RunControl::startAt(std::uint64_t advance) {
     startRun(StartMode::Pause,
-             {meshRevision(), document_.current()->options.method, true, RunExtent::Full, document_.current()->unit},
+             {meshRevision(), document_.current()->options.method, makesQuads(), true, RunExtent::Full,
+              document_.current()->unit},
              advance);
 }
 
 void RunControl::start(StartMode mode, RunExtent extent) {
     startRun(mode,
-             {meshRevision(), document_.current()->options.method, mode == StartMode::RunQuiet, extent,
+             {meshRevision(), document_.current()->options.method, makesQuads(), mode == StartMode::RunQuiet, extent,
               document_.current()->unit},
              0);
 }
@@ -378,19 +378,14 @@ bool RunControl::startIfNeeded() {
     return true;
 }
 
-bool RunControl::steps() const {
-    return canStep(document_.current()->options);
+bool RunControl::makesQuads() const {
+    return document_.current()->options.elements != Elements::Triangles;
 }
 
-bool RunControl::beginMove() {
-    if (!steps()) {
-        log_.refuse(kNotStepped);
-        return false;
-    }
-    if (!hasRun() || !run_->snapshot->stepped) {
+void RunControl::beginMove() {
+    if (!hasRun()) {
         start(StartMode::Pause);
     }
-    return true;
 }
 
 void RunControl::mesh() {
@@ -402,49 +397,31 @@ void RunControl::togglePlay() {
         run_->session.pause();
         return;
     }
-    if (!steps()) {
-        log_.refuse(kNotStepped);
-        return;
-    }
     startIfNeeded();
     run_->session.play(speed_ * kAdvancesPerSecond);
 }
 
 void RunControl::step(Granularity granularityOfStep, std::int64_t n) {
-    if (!beginMove()) {
-        return;
-    }
+    beginMove();
     run_->session.step(granularityOfStep, n);
 }
 
 void RunControl::seek(std::uint64_t position) {
-    if (!beginMove()) {
-        return;
-    }
+    beginMove();
     run_->session.seek(position);
 }
 
 void RunControl::seekEnd() {
-    if (!beginMove()) {
-        return;
-    }
+    beginMove();
     run_->session.finish();
 }
 
 void RunControl::seekStop(bool forward) {
-    if (!steps()) {
-        log_.refuse(kNotStepped);
-        return;
-    }
     startIfNeeded();
     run_->session.seekStop(forward);
 }
 
 void RunControl::seekBirth(Vec2 place, double tolerance) {
-    if (!steps()) {
-        log_.refuse(kNotStepped);
-        return;
-    }
     startIfNeeded();
     run_->session.seekBirth(place, tolerance);
 }
@@ -498,6 +475,10 @@ LengthUnit RunControl::shownUnit() const {
 
 Method RunControl::method() const {
     return hasRun() ? run_->shown.method : document_.current()->options.method;
+}
+
+bool RunControl::showsQuads() const {
+    return hasRun() ? run_->shown.quads : makesQuads();
 }
 
 void RunControl::setSpeed(double factor) {

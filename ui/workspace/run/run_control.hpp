@@ -93,11 +93,8 @@ class RunControl final : public BackgroundActivity {
     bool showsAdapted() const { return showsFile() && run_->adapted; }
     void want(SnapshotLayers layers);
 
-    /// Returns true if runs of the document can be stepped. If not, moves along the timeline are refused in the log.
-    bool steps() const;
-    /// Why runs of other elements than triangles cannot be stepped, and what to do.
-    static constexpr const char *kNotStepped =
-        "Quadrilaterals cannot be stepped; to step, set Elements to Triangles in the panel Meshing";
+    /// Returns true if runs of the document make quadrilaterals, by a front of their own whatever the method.
+    bool makesQuads() const;
 
     /// Returns the meshing job of the document as it is now.
     MeshingJob job() const;
@@ -140,6 +137,8 @@ class RunControl final : public BackgroundActivity {
     std::uint64_t meshRevision() const;
     /// Returns the method of the run, or of the document if there is no run.
     Method method() const;
+    /// Returns true if that run is one of quadrilaterals.
+    bool showsQuads() const;
     double speed() const { return speed_; }
     void setSpeed(double factor);
 
@@ -175,7 +174,7 @@ class RunControl final : public BackgroundActivity {
     bool needsFullMesh() const;
     bool startIfNeeded();
     /// Prepares a move along the timeline, for which it starts a run if there is none. Returns false if it is refused.
-    bool beginMove();
+    void beginMove();
     void log(const SessionSnapshot &snapshot);
     void logLive(bool faulty);
     /// Logs notes unless they are the last ones logged.

@@ -46,7 +46,7 @@ bool SideBySide::drop() {
 bool SideBySide::follow(const RunControl &run, const Document &document) {
     std::erase_if(ending_, [](const Lockstep &runs) { return !runs.busy(); });
     const SessionSnapshot &main = run.now();
-    if (!visible || mesh_ || !run.hasRun() || !run.steps() || run.showsFile() || !main.mesh) {
+    if (!visible || mesh_ || !run.hasRun() || run.showsFile() || !main.mesh) {
         return drop();
     }
     const bool moved = main.shownRun != run_ || comparison != started_;

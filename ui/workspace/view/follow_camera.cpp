@@ -101,7 +101,7 @@ std::optional<FollowCamera::Subject> subjectOf(const SessionSnapshot &run) {
         for (const Vec2 corner : corners) {
             subject.box.add(corner);
         }
-        subject.base = std::max(subject.base, distance(corners[0], corners[1]));
+        subject.base = std::max(subject.base, distance(corners.at[0], corners.at[1]));
     }
     return subject;
 }

@@ -22,6 +22,14 @@ constexpr std::array<const char *, kStepCount> kShort{
     "Stop when \xce\x93 = \xe2\x88\x85",
 };
 
+constexpr std::array<const char *, kStepCount> kShortOfSquares{
+    "Boundary in two colours: \xce\x93", "Take a diagonal, else leg AB",
+    "Evaluate \xcf\x81 at AB",           "Place corners of a square",
+    "Propose a square, or search",       "Score \xc2\xbd square \xc2\xb7 \xce\xb4 \xc2\xb7 \xce\xb4",
+    "Sort; drop one colour, too near",   "Test new sides against \xce\x93",
+    "Store the square, update \xce\x93", "\xce\x93 = \xe2\x88\x85: drop diagonals",
+};
+
 /// Returns the candidate whose score is shown: the accepted one once it is known, else the one scored last.
 const CandidateTrace *scored(const Moment &moment) {
     const AdvanceExplanation &e = *moment.advance;
@@ -56,6 +64,10 @@ std::string stepLine(Step step, const FrontRules *rules) {
         return "Score " + scoreFormula(*rules);
     }
     return kShort[static_cast<std::size_t>(step) - 1];
+}
+
+std::string squareStepLine(Step step) {
+    return kShortOfSquares[static_cast<std::size_t>(step) - 1];
 }
 
 std::string stepFinding(const Moment &moment, Step step) {

@@ -13,6 +13,9 @@ namespace forefront {
 /// rules. `rules`: null for the fast method.
 std::string stepLine(Step step, const FrontRules *rules);
 
+/// Returns the line of a step of the front of quadrilaterals.
+std::string squareStepLine(Step step);
+
 /// Returns the result of a step: "3 of 14 in 6 cells"; empty while unknown.
 std::string stepFinding(const Moment &moment, Step step);
 

@@ -35,8 +35,8 @@ constexpr std::array<Ids, 4> kStepPanels{"steps", "candidates", "rules", "statis
 constexpr std::array<Ids, 2> kStepFolded{"rules", "statistics"};
 constexpr std::array<Ids, 5> kStepTools{"select", "trace", "probe", "guess", "measure"};
 // Marks say what sizes are asked for; the words of a step have their places.
-constexpr std::array<Ids, 9> kStepLayers{"domain", "boundary",   "faults", "picture",    "mesh",
-                                         "front",  "candidates", "tests",  "improvement"};
+constexpr std::array<Ids, 10> kStepLayers{"domain", "boundary", "faults",     "picture", "mesh",
+                                          "front",  "colours",  "candidates", "tests",   "improvement"};
 
 constexpr std::array<Ids, 4> kJudgePanels{"checks", "histogram", "probe", "adapt"};
 constexpr std::array<Ids, 2> kJudgeFolded{"probe", "adapt"}; // the canvas has the values of what is chosen

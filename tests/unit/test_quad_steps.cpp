@@ -1,0 +1,407 @@
+#include "core/engine/domain/add_loop.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/mesher/timeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/pipeline/quad_start.hpp"
+#include "core/engine/quads/coloured_mesher.hpp"
+#include "core/engine/quads/quad_mesh.hpp"
+#include "core/engine/quads/quad_record.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+std::vector<Vec2> discOutline(unsigned count, double radius) {
+    std::vector<Vec2> nodes;
+    for (unsigned i = 0; i < count; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / count;
+        nodes.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return nodes;
+}
+
+MeshingJob steppedQuads(const std::vector<Vec2> &outline, const std::string &spacing) {
+    MeshingJob job;
+    addLoop(job.domain, outline);
+    job.spacing.expression = spacing;
+    job.options.elements = Elements::Quads;
+    return job;
+}
+
+/// Jobs whose fronts differ: a lattice, rows to the end, a graded spacing, two regions, kept odd edges, mixed elements.
+std::map<std::string, MeshingJob> steppedJobs() {
+    std::map<std::string, MeshingJob> jobs;
+    jobs["disc"] = steppedQuads(discOutline(60, 1.0), "0.1");
+    jobs["corner"] = steppedQuads({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, "0.1");
+    jobs["graded"] = steppedQuads({{0, 0}, {3, 0}, {3, 2}, {0, 2}}, "max(0.05, 0.2*abs(x-1))");
+    MeshingJob holes = steppedQuads({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, "0.3");
+    addLoop(holes.domain, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}, 2);
+    jobs["regions"] = holes;
+    MeshingJob kept = steppedQuads(discOutline(31, 1.0), "0.2");
+    kept.options.keepBoundary = true;
+    jobs["kept"] = kept;
+    MeshingJob mixed = steppedQuads({{0, 0}, {3, 0.2}, {2.5, 2}, {1, 1.2}}, "0.15");
+    mixed.options.elements = Elements::Mixed;
+    jobs["mixed"] = mixed;
+    MeshingJob raw = jobs["disc"];
+    raw.options.improve = ImproveLevel::None;
+    jobs["not improved"] = raw;
+    MeshingJob second = jobs["disc"];
+    second.options.order = ElementOrder::Second;
+    jobs["second order"] = second;
+    return jobs;
+}
+
+MeshStepper quadStepper(const MeshingJob &job) {
+    Result<MeshStepper> stepper = MeshStepper::create(job);
+    REQUIRE(stepper);
+    return *std::move(stepper);
+}
+
+std::uint64_t hashOfMeshed(const MeshingJob &job) {
+    const Result<MeshingOutcome> outcome = meshDomain(job);
+    REQUIRE(outcome);
+    return meshHash(outcome->mesh);
+}
+
+std::unique_ptr<ColouredMesher> colouredMesher(const MeshingJob &job, std::uint32_t rows,
+                                               std::shared_ptr<const ColouredBoundary> &boundary) {
+    Result<PreparedJob> prepared = prepare(job);
+    REQUIRE(prepared);
+    MeshingState state{.job = job, .prepared = *std::move(prepared)};
+    const Result<QuadStart> start = chooseQuadFront(state, {});
+    REQUIRE(start);
+    boundary = start->boundary;
+    return ColouredMesher::create(boundary, state.prepared.spacing, job.options, rows);
+}
+
+} // namespace
+
+TEST_CASE("Quads stepped: the end is the mesh of meshDomain, with and without steps of the clean-up") {
+    for (const auto &[name, job] : steppedJobs()) {
+        CAPTURE(name);
+        const std::uint64_t expected = hashOfMeshed(job);
+        for (const bool steps : {false, true}) {
+            CAPTURE(steps);
+            MeshStepper stepper = quadStepper(job);
+            if (steps) {
+                stepper.stepImprovement();
+            }
+            CHECK(stepper.finish());
+            CHECK(meshHash(stepper.mesh()) == expected);
+            CHECK(stepper.front().empty());
+            const std::shared_ptr<const SessionSnapshot> end = stepper.snapshot();
+            CHECK(end->atEnd());
+            CHECK((end->improveSteps > 0) == steps);
+        }
+    }
+}
+
+TEST_CASE("Quads stepped: after N advances forward and N back, the state is the same, at every N") {
+    for (const auto &[name, job] : steppedJobs()) {
+        if (name == "second order" || name == "not improved") {
+            continue; // their fronts are that of the disc
+        }
+        for (const std::uint32_t rows : {rowsOfFront(false), rowsOfFront(true)}) {
+            CAPTURE(name);
+            CAPTURE(rows);
+            std::shared_ptr<const ColouredBoundary> boundary;
+            const std::unique_ptr<ColouredMesher> mesher = colouredMesher(job, rows, boundary);
+            std::vector<std::uint64_t> hashes{mesher->stateHash()};
+            std::vector<AdvanceDelta> deltas;
+            while (mesher->advance(1, &deltas) == 1) {
+                hashes.push_back(mesher->stateHash());
+            }
+            REQUIRE(deltas.size() > 20);
+            for (std::size_t n = deltas.size(); n-- > 0;) {
+                mesher->retreat(deltas[n]);
+                REQUIRE(mesher->stateHash() == hashes[n]);
+            }
+            std::vector<AdvanceDelta> again;
+            CHECK(mesher->advance(deltas.size(), &again) == deltas.size());
+            CHECK(mesher->stateHash() == hashes.back());
+            CHECK(mesher->finished());
+        }
+    }
+}
+
+TEST_CASE("Quads stepped: jumps to checkpoints lead to the same states") {
+    const MeshingJob job = steppedJobs()["graded"];
+    std::shared_ptr<const ColouredBoundary> boundary;
+    Timeline plain(colouredMesher(job, rowsOfFront(true), boundary));
+    std::vector<std::uint64_t> hashes{plain.mesher().stateHash()};
+    while (plain.forward(1) == 1) {
+        hashes.push_back(plain.mesher().stateHash());
+    }
+    Timeline jumping(colouredMesher(job, rowsOfFront(true), boundary), 64);
+    jumping.forward(hashes.size());
+    REQUIRE(jumping.complete());
+    REQUIRE(jumping.checkpoints() > 4);
+    const std::size_t last = hashes.size() - 1;
+    for (std::size_t k = 0; k < 40; ++k) {
+        const std::uint64_t target = (k * 7919 + 3) % (last + 1);
+        jumping.approach(target);
+        if (jumping.position() < target) {
+            jumping.forward(target - jumping.position());
+        } else {
+            jumping.back(jumping.position() - target);
+        }
+        REQUIRE(jumping.position() == target);
+        CHECK(jumping.mesher().stateHash() == hashes[target]);
+    }
+}
+
+TEST_CASE("Quads stepped: every grid makes the same steps") {
+    MeshingJob job = steppedJobs()["corner"];
+    std::vector<std::uint64_t> last;
+    for (const GridKind grid : {GridKind::None, GridKind::Uniform, GridKind::Hierarchical}) {
+        job.options.grid = grid;
+        std::shared_ptr<const ColouredBoundary> boundary;
+        const std::unique_ptr<ColouredMesher> mesher = colouredMesher(job, rowsOfFront(false), boundary);
+        std::vector<std::uint64_t> hashes;
+        std::vector<AdvanceDelta> deltas;
+        while (mesher->advance(1, &deltas) == 1) {
+            hashes.push_back(mesher->stateHash());
+        }
+        CHECK((last.empty() || last == hashes));
+        last = hashes;
+    }
+}
+
+TEST_CASE("Quads stepped: each advance makes what its explanation says") {
+    for (const auto &[name, job] : steppedJobs()) {
+        CAPTURE(name);
+        MeshStepper stepper = quadStepper(job);
+        std::map<SquareKind, std::size_t> made;
+        while (stepper.advance() == 1) {
+            const std::shared_ptr<const AdvanceExplanation> told = stepper.explanation();
+            REQUIRE(told);
+            CHECK(told->coloured);
+            CHECK(told->advance == stepper.position());
+            CHECK(told->made.size() == told->elements);
+            const unsigned expected = told->deferred ? 0 : told->square == SquareKind::None ? 1 : 2;
+            CHECK(told->elements == expected);
+            const auto accepted = std::ranges::count(told->candidates, Verdict::Accepted, &CandidateTrace::verdict);
+            CHECK(accepted == (told->deferred ? 0 : 1));
+            for (const CandidateTrace &candidate : told->candidates) {
+                CHECK((candidate.colour == 0 || candidate.colour == 1));
+                if (candidate.verdict == Verdict::Accepted) {
+                    CHECK(candidate.square == told->square);
+                }
+            }
+            ++made[told->square];
+            for (std::size_t cursor = 0; cursor <= told->events.size(); ++cursor) {
+                const std::string words = caption(*told, cursor);
+                CAPTURE(words);
+                CHECK(words.starts_with("Edge "));
+                CHECK_FALSE(words.ends_with(": "));
+            }
+        }
+        CHECK(made[SquareKind::Row] > 0);
+        CHECK((made[SquareKind::Opening] > 0 || name == "mixed"));
+    }
+}
+
+TEST_CASE("Quads stepped: a caption names the square made and why others were refused") {
+    MeshStepper stepper = quadStepper(steppedJobs()["graded"]);
+    std::map<std::string, bool> seen = {{"row continued: a square with one new node", false},
+                                        {"row opened: a square with two new nodes", false},
+                                        {"gap closed: a square without a new node", false},
+                                        {"half a square, with node ", false},
+                                        {"the square that continues the row refused: badly shaped", false},
+                                        {"the square that continues the row refused: too near the front", false},
+                                        {"refused: would join three nodes of one colour", false},
+                                        {"a diagonal, its nodes have one colour", false},
+                                        {"a leg of row 2", false}};
+    while (stepper.advance() == 1) {
+        const std::shared_ptr<const AdvanceExplanation> told = stepper.explanation();
+        for (const std::size_t cursor : {std::size_t{0}, told->events.size()}) {
+            for (auto &[words, found] : seen) {
+                found = found || caption(*told, cursor).find(words) != std::string::npos;
+            }
+        }
+    }
+    for (const auto &[words, found] : seen) {
+        INFO(words);
+        CHECK(found);
+    }
+}
+
+TEST_CASE("Quads stepped: the front shows whole squares, and halves until their second half is made") {
+    MeshStepper stepper = quadStepper(steppedJobs()["disc"]);
+    const std::shared_ptr<const SessionSnapshot> start = stepper.snapshot();
+    for (const FrontSegmentView &segment : *start->front) {
+        CHECK((segment.colour == 0 || segment.colour == 1));
+    }
+    std::size_t halves = 0;
+    while (stepper.advance() == 1) {
+        const Mesh mesh = stepper.mesh();
+        const std::size_t triangles = mesh.triangles().size(), quads = mesh.elementCount() - triangles;
+        halves += stepper.explanation()->elements;
+        CHECK(2 * quads + triangles == halves);
+        CHECK(triangles < 20);
+    }
+    CHECK(halves > 100);
+}
+
+TEST_CASE("Quads stepped: the steps of the clean-up lead forward and back to the same meshes") {
+    for (const auto &[name, job] : steppedJobs()) {
+        CAPTURE(name);
+        MeshStepper stepper = quadStepper(job);
+        stepper.stepImprovement();
+        REQUIRE(stepper.finish());
+        const std::size_t steps = stepper.snapshot()->improveSteps;
+        const std::uint64_t known = stepper.known();
+        REQUIRE(steps >= 1);
+        stepper.seek(known);
+        std::vector<std::uint64_t> hashes{meshHash(stepper.mesh())};
+        for (std::size_t k = 1; k <= steps; ++k) {
+            stepper.step(Granularity::Advance, 1);
+            const std::shared_ptr<const SessionSnapshot> here = stepper.snapshot();
+            REQUIRE(here->improvement);
+            CHECK(here->improvement->number == k);
+            CHECK(here->improvement->quads);
+            CHECK(caption(*here->improvement, steps).starts_with("Clean-up " + std::to_string(k) + " of "));
+            hashes.push_back(meshHash(stepper.mesh()));
+        }
+        CHECK(stepper.atEnd());
+        CHECK(hashes.back() == hashOfMeshed(job));
+        for (std::size_t k = steps; k-- > 0;) {
+            stepper.step(Granularity::Advance, -1);
+            REQUIRE(meshHash(stepper.mesh()) == hashes[k]);
+        }
+        CHECK(stepper.position() == known);
+        CHECK(stepper.snapshot()->improveStep == 0);
+    }
+}
+
+TEST_CASE("Quads stepped: a step of the clean-up lists what it changed, and its figures are true") {
+    MeshStepper stepper = quadStepper(steppedJobs()["disc"]);
+    stepper.stepImprovement();
+    REQUIRE(stepper.finish());
+    const std::size_t steps = stepper.snapshot()->improveSteps;
+    stepper.seek(stepper.known());
+    std::map<ImproveChange, std::size_t> kinds;
+    std::optional<QuadFigures> before;
+    for (std::size_t k = 1; k <= steps; ++k) {
+        const Mesh old = stepper.mesh();
+        stepper.step(Granularity::Advance, 1);
+        const std::shared_ptr<const SessionSnapshot> here = stepper.snapshot();
+        const ImproveStep &step = *here->improvement;
+        const Mesh now = stepper.mesh();
+        ++kinds[step.change];
+        if (before) {
+            CHECK(step.quadsBefore.irregular == before->irregular);
+            CHECK(step.quadsBefore.jacobianMin == before->jacobianMin);
+        }
+        before = step.quadsAfter;
+        const auto grown =
+            static_cast<std::ptrdiff_t>(now.nodes.size()) - static_cast<std::ptrdiff_t>(old.nodes.size());
+        CHECK(grown == static_cast<std::ptrdiff_t>(step.addedNodes.size()) -
+                           static_cast<std::ptrdiff_t>(step.removedNodes.size()));
+        for (const ImproveStep::Move &move : step.moves) {
+            CHECK(now.nodes[index(move.node)] == move.to);
+            CHECK_FALSE(move.from == move.to);
+        }
+        switch (step.change) {
+        case ImproveChange::Sweep:
+        case ImproveChange::Polish:
+            CHECK_FALSE(step.moves.empty());
+            CHECK(step.elements.empty());
+            break;
+        case ImproveChange::Rotate:
+            CHECK(step.elements.size() == 2);
+            CHECK(step.addedEdges.size() == 1);
+            CHECK(step.removedEdges.size() == 1);
+            break;
+        case ImproveChange::Collapse:
+            CHECK(now.elementCount() + 1 == old.elementCount());
+            CHECK(step.removedNodes.size() == 1);
+            break;
+        case ImproveChange::Split:
+            CHECK(now.elementCount() == old.elementCount() + 1);
+            CHECK(step.addedNodes.size() == 1);
+            break;
+        default:
+            break;
+        }
+    }
+    CHECK(kinds[ImproveChange::Pair] == 1);
+    CHECK(kinds[ImproveChange::Sweep] > 3);
+    CHECK(kinds[ImproveChange::Collapse] + kinds[ImproveChange::Rotate] + kinds[ImproveChange::Split] > 3);
+    CHECK(before->irregular < 30);
+}
+
+TEST_CASE("QuadRecord: beyond its memory, and by passes, it ends with the same mesh") {
+    const MeshingJob job = steppedJobs()["graded"];
+    std::shared_ptr<const ColouredBoundary> boundary;
+    const auto record = [&](QuadRecord::Detail detail, std::size_t bytes) {
+        const std::unique_ptr<ColouredMesher> front = colouredMesher(job, rowsOfFront(true), boundary);
+        front->advance(1'000'000, nullptr);
+        QuadRecord result(front->joinedCells(), front->boundary(), detail, bytes);
+        QuadMesh mesh = joinFront(front->triangles(), *front, job.options, &result);
+        cleanUp(mesh, front->spacing(), job.options, {}, &result);
+        result.moveTo(result.steps());
+        QuadReport report;
+        CHECK(meshHash(result.mesh()) == meshHash(toMesh(std::move(mesh), boundary->domain, report)));
+        const std::size_t steps = result.steps();
+        const std::uint64_t last = meshHash(result.mesh());
+        result.moveTo(1);
+        CHECK(meshHash(result.mesh()) != last);
+        result.moveTo(steps);
+        CHECK(meshHash(result.mesh()) == last);
+        return std::pair{steps, result.bytes()};
+    };
+    const auto [steps, bytes] = record(QuadRecord::Detail::Changes, QuadRecord::kMaxBytes);
+    CHECK(steps > 50);
+    const auto [few, least] = record(QuadRecord::Detail::Changes, bytes / 2);
+    CHECK(few < steps);
+    CHECK(few > 3);
+    CHECK(least < bytes);
+    const auto [passes, perPass] = record(QuadRecord::Detail::Passes, QuadRecord::kMaxBytes);
+    CHECK(passes > 3);
+    CHECK(passes < 20);
+    CHECK(perPass < bytes);
+}
+
+TEST_CASE("Quads stepped: the passes of the clean-up can be stepped, and a stop is found by its condition") {
+    MeshStepper stepper = quadStepper(steppedJobs()["disc"]);
+    stepper.stepImprovement();
+    REQUIRE(stepper.finish());
+    const std::size_t steps = stepper.snapshot()->improveSteps;
+    stepper.seek(stepper.known());
+    std::size_t passes = 0;
+    while (!stepper.atEnd() && passes < 100) {
+        stepper.step(Granularity::Layer, 1);
+        ++passes;
+    }
+    CHECK(stepper.atEnd());
+    CHECK(passes > 3);
+    CHECK(passes < steps);
+    stepper.seek(0);
+    Breakpoints rejections;
+    rejections.set(StopKind::Rejection, true);
+    stepper.stopAt(rejections);
+    const std::optional<Stop> stop = stepper.seekStop(true);
+    REQUIRE(stop);
+    CHECK(stop->kind == StopKind::Rejection);
+    const std::shared_ptr<const AdvanceExplanation> told = stepper.explanation();
+    CHECK(std::ranges::any_of(told->candidates, [](const CandidateTrace &candidate) {
+        return candidate.verdict != Verdict::Accepted && candidate.verdict != Verdict::NotTried;
+    }));
+}
+
+} // namespace forefront
