@@ -1,11 +1,12 @@
-// Reads meshes with MFEM and prints what MFEM makes of them: elements, area, the length of each boundary attribute, and the
-// least Jacobian at the points of integration, which is positive only if the nodes are in the order that MFEM expects.
+// Reads meshes with MFEM and prints what MFEM makes of them: elements, area, the length of each boundary attribute, and
+// the least Jacobian at the points of integration, which is positive only if the nodes are in the order that MFEM
+// expects.
 //
 //   g++ -std=c++17 -I MFEM tests/readers/check_mfem.cpp MFEM/libmfem.a -o check_mfem && ./check_mfem FILE.mesh...
-#include <mfem.hpp>
-
+#include <algorithm>
 #include <cstdio>
 #include <map>
+#include <mfem.hpp>
 
 namespace {
 
