@@ -224,26 +224,6 @@ std::vector<Shot> scenes() {
                      driver.settle();
                  }
              }},
-            {"squares",
-             [](Driver &driver) {
-                 Document quads = *driver.context().document.current();
-                 quads.options.elements = Elements::Quads;
-                 driver.context().document.apply(std::move(quads), "Quadrilaterals");
-                 driver.context().run.mesh();
-                 driver.settle();
-                 driver.workspace(WorkspaceKind::Step);
-                 driver.context().run.seek(24);
-                 driver.settle();
-                 driver.showPanel("candidates");
-             }},
-            {"squares-cleanup",
-             [](Driver &driver) {
-                 driver.context().run.seekEnd();
-                 driver.settle();
-                 driver.context().run.seek(driver.run().known + 6);
-                 driver.settle();
-                 driver.context().document.undo();
-             }},
             {"rules",
              [](Driver &driver) {
                  driver.context().document.apply(ruledBy(driver.context(), {.radius = 2.0}), "Rules");
@@ -360,6 +340,27 @@ std::vector<Shot> scenes() {
                  driver.key(key::kEnter);
                  driver.settle();
                  driver.context().actions.run("lesson.saveAnswers", driver.context());
+             }},
+            {"squares",
+             [](Driver &driver) {
+                 constexpr int kPageOfRefusals = 4;
+                 driver.click("lesson/list");
+                 driver.settle();
+                 driver.scroll(driver.context().widgets.find("lessons/1-front")->rect.centre(), -30.0);
+                 driver.settle();
+                 driver.click("lessons/13-quadrilaterals");
+                 driver.settle();
+                 for (int page = 0; page < kPageOfRefusals; ++page) {
+                     driver.key(key::kPageDown);
+                     driver.settle();
+                 }
+             }},
+            {"squares-cleanup",
+             [](Driver &driver) {
+                 for (int page = 0; page < 3; ++page) {
+                     driver.key(key::kPageDown);
+                     driver.settle();
+                 }
              }},
             {"answers", [](Driver &driver) { // of a lesson with random numbers, when others are chosen
                  const std::vector<LessonEntry> list = driver.context().lessons.list;
