@@ -397,11 +397,12 @@ TEST_CASE("Tabs: a mesh that is made at full speed goes on in the background, an
     Clerk driver;
     driver.squares(1);
     Document fine = driver.document();
-    fine.spacing.size = 0.008;
+    fine.spacing.size = 0.002; // for as long as the next lines take, also where they are interrupted
     driver.context().document.apply(std::move(fine), "Size");
     driver.context().run.mesh();
     driver.until([&] { return driver.run().state == RunState::Running || driver.run().complete; });
     driver.context().tabs.open(driver.context());
+    REQUIRE(driver.context().tabs.at(0).left->run->session.busy());
     driver.context().tabs.limitMemory(driver.context(), 0);
     driver.until([&] { return !driver.context().tabs.at(0).left->run->session.busy(); });
     CHECK(driver.context().tabs.at(0).left->run->session.latest()->state == RunState::Finished);

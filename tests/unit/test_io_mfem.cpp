@@ -127,6 +127,21 @@ TEST_CASE("MFEM: curved meshes come back as they were") {
     }
 }
 
+TEST_CASE("MFEM: quadrilaterals of 8 nodes beside some of 9 get their centre, too") {
+    Mesh mesh = curvedMfem(9);
+    const NodeId square[] = {NodeId{5}, NodeId{4},  NodeId{13}, NodeId{12},
+                             NodeId{6}, NodeId{14}, NodeId{15}, NodeId{16}};
+    mesh.nodes.insert(mesh.nodes.end(), {{0, 4}, {2, 4}, {2, 3}, {1, 4}, {0, 3}});
+    mesh.block(CellKind::Quadrilateral8).add(square);
+    mesh.block(CellKind::Quadrilateral8).regions = {1};
+    const Result<Mesh> back = readMfem(sourceOf(written(writeMfem, mesh)));
+    REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
+    REQUIRE(back->blocks.front().kind() == CellKind::Quadrilateral9);
+    CHECK(back->blocks.front().size() == 2);
+    CHECK(placesOfCells(*back)[0] == placesOfCells(mesh)[0]);
+    CHECK(back->nodes.size() == mesh.nodes.size() + 1);
+}
+
 TEST_CASE("MFEM: in a mesh with both orders, elements of first order get straight edges and their centre") {
     Mesh mesh = curvedMfem(8);
     const NodeId square[] = {NodeId{5}, NodeId{4}, NodeId{12}, NodeId{11}};

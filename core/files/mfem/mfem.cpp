@@ -51,7 +51,10 @@ void writeMfemComments(const MeshView &mesh, const MfemVertices &vertices, TextW
             out << "# point " << vertices.of(point.node) << ' ' << point.tag << '\n';
         }
     }
-    if (std::ranges::any_of(mesh.blocks(), [](const auto &block) { return block.kind == CellKind::Quadrilateral8; })) {
+    const auto has = [&](CellKind kind) {
+        return std::ranges::any_of(mesh.blocks(), [kind](const auto &block) { return block.kind == kind; });
+    };
+    if (has(CellKind::Quadrilateral8) && !has(CellKind::Quadrilateral9)) {
         out << kEightNodes << '\n';
     }
 }

@@ -16,9 +16,9 @@ std::uint64_t mixed(std::uint64_t bits) {
 }
 
 /// The numbers of a range that seeds have drawn so far, by parts of equal length.
-class Coverage {
+class DrawnNumbers {
   public:
-    explicit Coverage(const RandomRange &range)
+    explicit DrawnNumbers(const RandomRange &range)
         : range_(range), count_(static_cast<std::uint64_t>(range.to - range.from) + 1U),
           width_((count_ + kMaxValues - 1) / kMaxValues) {
         for (std::uint64_t part = 0; part * width_ < count_; ++part) {
@@ -68,12 +68,12 @@ std::string withNumbers(std::string text, const RandomNumbers &numbers) {
 
 SeedsToCheck seedsToCheck(const std::vector<RandomRange> &ranges) {
     constexpr std::uint64_t kMaxTried = 20'000; // 64 parts are drawn from in a few hundred
-    std::vector<Coverage> coverage(ranges.begin(), ranges.end());
+    std::vector<DrawnNumbers> drawn(ranges.begin(), ranges.end());
     SeedsToCheck found;
-    found.all = std::all_of(coverage.begin(), coverage.end(), [](const Coverage &range) { return range.wholly(); });
+    found.all = std::all_of(drawn.begin(), drawn.end(), [](const DrawnNumbers &range) { return range.wholly(); });
     for (std::uint64_t seed = 1; seed <= kMaxTried; ++seed) {
         bool isNew = seed == 1, complete = true;
-        for (Coverage &range : coverage) {
+        for (DrawnNumbers &range : drawn) {
             isNew = range.draw(seed) || isNew;
             complete = complete && range.complete();
         }
