@@ -34,6 +34,13 @@ std::string refusedText(const ImproveStep &step) {
                : "; " + numberOf(step.refused, "other tried before did not pay", "others tried before did not pay");
 }
 
+std::string walkText(const ImproveStep &step) {
+    // Each element between the two triangles gives one, and the last two make one.
+    return step.elements.size() < 2 ? "two neighbouring triangles joined"
+                                    : "two triangles joined through the " +
+                                          numberOf(step.elements.size() - 1, "element", "elements") + " between them";
+}
+
 std::string changeText(const ImproveStep &step) {
     switch (step.change) {
     case ImproveChange::Swap:
@@ -57,12 +64,11 @@ std::string changeText(const ImproveStep &step) {
     case ImproveChange::Remainder:
         return "all further changes at once";
     case ImproveChange::Completion:
-        return "minimum angle, boundary layers or nodes in the middle of edges added";
+        return "completed: minimum angle, boundary layers, mapped faces, other regions, cracks or second order";
     case ImproveChange::Pair:
         return pairText(step);
     case ImproveChange::Walk:
-        return "two triangles joined through the " + numberOf(step.elements.size(), "element", "elements") +
-               " between them";
+        return walkText(step);
     case ImproveChange::Collapse:
         return "two opposite corners of an element merged";
     case ImproveChange::Rotate:
@@ -112,9 +118,14 @@ std::string caption(const ImproveStep &step, std::size_t steps) {
     const std::string number = std::to_string(step.number) + " of " + std::to_string(steps) + ": ";
     if (step.quads) {
         const QuadFigures &before = step.quadsBefore, &after = step.quadsAfter;
+        if (!step.measured) {
+            return "Clean-up " + number + changeText(step);
+        }
+        const char *const part = step.change == ImproveChange::Completion
+                                     ? "; in the part of the front, irregular nodes"
+                                     : "; irregular nodes";
         return "Clean-up " + number + changeText(step) + refusedText(step) +
-               figureText("; irregular nodes", static_cast<double>(before.irregular),
-                          static_cast<double>(after.irregular), "%.0f") +
+               figureText(part, static_cast<double>(before.irregular), static_cast<double>(after.irregular), "%.0f") +
                figureText(", scaled Jacobian minimum", before.jacobianMin, after.jacobianMin, "%.3f") +
                figureText(", mean", before.jacobianMean, after.jacobianMean, "%.4f");
     }

@@ -48,7 +48,8 @@ struct ImproveStep {
     std::vector<StepElement> elements;             ///< made by the step, after it
     ShapeFigures before, after;                    ///< of the whole mesh
     bool quads = false;                            ///< of a mesh of quadrilaterals, which has the figures below
-    QuadFigures quadsBefore, quadsAfter;
+    QuadFigures quadsBefore, quadsAfter;           ///< of the part that the front made
+    bool measured = true;                          ///< the figures are known
     std::size_t refused = 0; ///< changes tried at the same node before this one, which did not pay
 };
 

@@ -24,7 +24,7 @@ enum class ImproveChange : std::uint8_t {
     Growth,      ///< nodes move to even the areas of neighbours
     Polish,      ///< nodes move for the shapes alone
     Remainder,   ///< all changes not reported before, as one; comes last
-    Completion,  ///< what follows improvement: the minimum angle, boundary layers, second order
+    Completion,  ///< what follows improvement: the minimum angle, other parts of the mesh, cracks, second order
     Renumber,    ///< nodes and elements get other numbers; nothing changes in the plane
     // Of quadrilaterals.
     Pair,      ///< the last triangles of the front are joined, once it is closed

@@ -120,7 +120,8 @@ void SteppedRun::takeSteps(std::optional<ImproveRecord> record) {
 }
 
 bool SteppedRun::completes() const {
-    return (job_->options.leastAngle && !quads_) || prepared_.layers || job_->options.order == ElementOrder::Second;
+    return (job_->options.leastAngle && !quads_) || prepared_.layers || job_->options.order == ElementOrder::Second ||
+           !job_->cracks.empty();
 }
 
 const ColouredMesher &SteppedRun::colouredMesher() const {
@@ -182,7 +183,8 @@ std::shared_ptr<const ImproveStep> SteppedRun::lastStep() {
     if (quads_) {
         step->change = ImproveChange::Completion;
         step->number = number;
-        step->quads = quadRecord_.has_value();
+        step->quads = true;
+        step->measured = quadRecord_.has_value();
         if (quadRecord_) {
             quadRecord_->moveTo(quadRecord_->steps());
             step->quadsBefore = step->quadsAfter = quadRecord_->figures(); // of the part that the front made
@@ -201,13 +203,10 @@ std::shared_ptr<const ImproveStep> SteppedRun::lastStep() {
     return step;
 }
 
-/// Returns the figures that follow from the shapes alone; of quadrilaterals the number of elements.
+/// Returns the figures that follow from the shapes alone; of quadrilaterals all figures.
 MeshQuality SteppedRun::shapesOfStep(std::size_t number) {
     if (quadRecord_) {
-        quadRecord_->moveTo(number);
-        MeshQuality quality;
-        quality.elements = quadRecord_->elements();
-        return quality;
+        return measureQuality(meshOfStep(number), prepared_.spacing.get());
     }
     record_->moveTo(number);
     return record_->shapes();

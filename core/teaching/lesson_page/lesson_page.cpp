@@ -200,7 +200,12 @@ class LessonData {
             out_ << ",\"asksForCandidate\":" << (asksForCandidate(*task) ? "true" : "false") << ",\"done\":[";
             const bool any = shows_ && moments(*task, question.why);
             out_ << ']';
-            if (!any) {
+            if (!any && run_ != nullptr && !shows_) {
+                out_ << ",\"note\":"
+                     << scriptString(
+                            "This task needs the editor, which shows fronts of quadrilaterals. Open the lesson "
+                            "there to do it.");
+            } else if (!any) {
                 out_ << ",\"note\":"
                      << scriptString("This task needs a moment that the editor shows, such as a step of the "
                                      "improvement. Open the lesson there to do it.");
