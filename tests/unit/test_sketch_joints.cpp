@@ -190,14 +190,44 @@ TEST_CASE("Sketch joints: a parameter moves the neighbour of what has its formul
     CHECK(withWidth(document, "4")->shapes == document.shapes);
 }
 
+TEST_CASE("Sketch joints: a node on an upright side of a rectangle stays on it to the bit") {
+    const Document document = parametricPair({makeShape(ShapeKind::Rectangle, {{4, -1}, {8, 5}})});
+    for (const char *width : {"3", "5", "3.3", "4.7"}) {
+        CAPTURE(std::string(width));
+        const Result<Document> settled = withWidth(document, width);
+        REQUIRE_MESSAGE(settled.ok(), messageOf(settled));
+        const std::vector<Vec2> &left = nodesOf(*settled, 1), &right = nodesOf(*settled, 2);
+        CHECK(left[1].x == right[0].x);
+        CHECK(left[1].x - left[0].x == doctest::Approx(std::stod(width)).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("Sketch joints: the ends of an open path that meet stay together") {
+    Document document = documentOf({makeShape(ShapeKind::Polyline, {{0, 0}, {4, 0}, {4, 3}, {0, 0}})});
+    document.parameters = {{"w", "0"}};
+    document.spacing.names = {{"w", 0.0}};
+    document = *setFormula(document, {NumberOwner::ofShape(1), Quantity::X, 0}, "w");
+    const Result<Document> moved = withWidth(document, "1");
+    REQUIRE_MESSAGE(moved.ok(), messageOf(moved));
+    CHECK(nodesOf(*moved, 1).front() == Vec2{1, 0});
+    CHECK(nodesOf(*moved, 1).back() == Vec2{1, 0});
+}
+
+TEST_CASE("Sketch joints: a neighbour that would be turned over is a conflict of joints") {
+    const Document document = parametricPair({makeShape(ShapeKind::Rectangle, {{4, 0}, {8, 3}})});
+    const Result<Document> over = withWidth(document, "9");
+    REQUIRE_FALSE(over.ok());
+    CHECK(messageOf(over).find("the joints would make") != std::string::npos);
+    CHECK(messageOf(over).find("turned over") != std::string::npos);
+    CHECK(withWidth(document, "7").ok());
+}
+
 TEST_CASE("Sketch joints: formulas that place both sides of a joint may part them; one side alone takes the other") {
     Document document = parametricPair({square({4, 0}, 3)});
-    document.formulas = {{{NumberOwner::ofShape(1), Quantity::Width, 0}, "w"},
-                         {{NumberOwner::ofShape(1), Quantity::Left, 0}, "0*w"},
+    document.formulas = {{{NumberOwner::ofShape(1), Quantity::Left, 0}, "0*w"},
+                         {{NumberOwner::ofShape(1), Quantity::X, 1}, "w"},
                          {{NumberOwner::ofShape(2), Quantity::X, 0}, "8-w"},
                          {{NumberOwner::ofShape(2), Quantity::X, 3}, "8-w"}};
-    document.formulas.erase({NumberOwner::ofShape(1), Quantity::Width, 0});
-    document.formulas[{NumberOwner::ofShape(1), Quantity::X, 1}] = "w";
     const Result<Document> apart = withWidth(document, "3");
     REQUIRE_MESSAGE(apart.ok(), messageOf(apart));
     CHECK(nodesOf(*apart, 1)[1] == Vec2{3, 3});

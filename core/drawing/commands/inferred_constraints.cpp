@@ -8,6 +8,7 @@
 #include "core/engine/geometry/path_curve.hpp"
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -44,8 +45,8 @@ class PathParts {
         return std::nullopt;
     }
 
-    /// Returns the circle, or the arc of one, about a place.
-    std::optional<SketchPart> circle(Vec2 centre) const {
+    /// Returns the circle, or the arc of one, about a place and through another.
+    std::optional<SketchPart> circle(Vec2 centre, Vec2 at) const {
         if (shape_ == nullptr) {
             return std::nullopt;
         }
@@ -55,7 +56,9 @@ class PathParts {
         for (std::uint32_t k = 0; isPath(*shape_) && k < shape_->path().curves.size(); ++k) {
             const Curve &curve = shape_->path().curves[k];
             const std::array<double, 8> n = curve.numbers();
-            if (radiusOf(curve) && distance({n[0], n[1]}, centre) <= near_) {
+            const std::optional<double> radius = radiusOf(curve);
+            if (radius && distance({n[0], n[1]}, centre) <= near_ &&
+                std::fabs(*radius - distance(centre, at)) <= near_) {
                 return SketchPart{shape_->id, SketchPartKind::Segment, k};
             }
         }
@@ -69,7 +72,7 @@ class PathParts {
 
 /// Returns the parts that a relation ties; empty if one of them does not exist.
 std::vector<SketchPart> partsOf(const PathParts &parts, const InferredNode &node, const Inference &relation) {
-    const std::optional<SketchPart> own = relation.ofRadius ? parts.circle(relation.start)
+    const std::optional<SketchPart> own = relation.ofRadius ? parts.circle(relation.start, node.at)
                                           : relation.ofLine ? parts.segment(relation.start, node.at)
                                                             : parts.node(node.at);
     if (!own) {

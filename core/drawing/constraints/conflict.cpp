@@ -117,6 +117,12 @@ std::string relationNames(const DocumentSketch &sketch, const std::set<std::uint
             names.push_back(jointName(sketch, sketch.joints[k]));
         }
     }
+    constexpr std::size_t kMost = 12;
+    if (names.size() > kMost) {
+        const std::size_t more = names.size() - kMost;
+        names.resize(kMost);
+        names.push_back(std::to_string(more) + " more");
+    }
     std::string text;
     for (std::size_t k = 0; k < names.size(); ++k) {
         text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];

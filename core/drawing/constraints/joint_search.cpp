@@ -49,10 +49,10 @@ void JointSearch::addCurve(const SketchPart &segment) {
 
 void JointSearch::run() {
     for (const NodeRef node : nodes_) {
-        const std::vector<Vec2> &nodes = findShape(places_, node.shape)->nodes;
-        box_.add(nodes[node.node]);
-        box_.add(nodes[(node.node + 1) % nodes.size()]);
-        box_.add(nodes[node.node == 0 ? nodes.size() - 1 : node.node - 1]);
+        const std::vector<Vec2> handles = handlesOf(*findShape(places_, node.shape));
+        box_.add(handles[node.node]);
+        box_.add(handles[(node.node + 1) % handles.size()]);
+        box_.add(handles[node.node == 0 ? handles.size() - 1 : node.node - 1]);
     }
     for (const SketchPart &curve : curves_) {
         box_.add(findShape(places_, curve.shape)->nodes[curve.index]);
@@ -133,10 +133,10 @@ void JointSearch::follow(NodeRef handle) {
     const std::vector<Vec2> handles = handlesOf(shape);
     const Vec2 at = handles[handle.node];
     reach_.add(at);
-    const NodeRef first = followNodes(handle, at, handles.size());
-    followSegments(handle, at, position, first);
     const auto count = static_cast<std::uint32_t>(handles.size());
     const std::size_t sides = sideCount(shape);
+    const NodeRef first = followNodes(handle, at, count, sides == count);
+    followSegments(handle, at, position, first);
     for (const std::uint32_t side : {handle.node == 0 ? count - 1 : handle.node - 1, handle.node}) {
         if (side < sides && isStraightSide(shape, side)) {
             reach_.add(handles[side]);
@@ -147,13 +147,14 @@ void JointSearch::follow(NodeRef handle) {
 }
 
 /// Brings in the nodes at the same place. Returns the first of them all.
-NodeRef JointSearch::followNodes(NodeRef handle, Vec2 at, std::size_t count) {
+NodeRef JointSearch::followNodes(NodeRef handle, Vec2 at, std::size_t count, bool isClosed) {
     NodeRef first = handle;
     std::vector<NodeRef> others;
     index_->handlesAt(at, [&](const JointHandle &found) {
         const NodeRef other = refOf(found.shape, found.handle);
         const std::size_t gap = other.node > handle.node ? other.node - handle.node : handle.node - other.node;
-        const bool beside = other.shape == handle.shape && (gap <= 1 || gap + 1 == count); // ends of one segment
+        const bool beside =
+            other.shape == handle.shape && (gap <= 1 || (gap + 1 == count && isClosed)); // ends of one segment
         if (!beside && isApart(other) == isApart(handle) && usable(other.shape)) {
             others.push_back(other);
             first = std::min(first, other);

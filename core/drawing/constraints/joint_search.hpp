@@ -20,7 +20,7 @@ class JointSearch {
     /// joints.
     JointSearch(const Document &document, const JointSource &source);
 
-    /// Adds a node to start from: an index of Shape::nodes.
+    /// Adds a node to start from: a handle of its shape.
     void addNode(NodeRef node);
     /// Adds a curved segment to start from.
     void addCurve(const SketchPart &segment);
@@ -47,7 +47,7 @@ class JointSearch {
     void search();
     void followAll();
     void follow(NodeRef handle);
-    NodeRef followNodes(NodeRef handle, Vec2 at, std::size_t count);
+    NodeRef followNodes(NodeRef handle, Vec2 at, std::size_t count, bool isClosed);
     std::vector<JointSegment> segmentsUnder(NodeRef handle, Vec2 at, std::size_t position) const;
     void followSegments(NodeRef handle, Vec2 at, std::size_t position, NodeRef first);
     void followSide(const JointSegment &side);

@@ -11,13 +11,16 @@
 #include "core/drawing/sketch/equal_values.hpp"
 #include "core/drawing/sketch/sketch_drag.hpp"
 #include "core/drawing/sketch/solve_sketch.hpp"
+#include "core/engine/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,9 +112,33 @@ class Settler {
                 values_[equation.unknowns[0]] = equation.value;
             }
         }
-        equaliseValues(sketch_.system, part, values_, [&](std::uint32_t unknown) { // where the command put it
+        const auto rank = [&](std::uint32_t unknown) { // where the command put it
             return moved_[unknown] && values_[unknown] == sketch_.system.values[unknown] ? 1 : 2;
-        });
+        };
+        equaliseValues(sketch_.system, part, values_, rank);
+        const std::set<std::uint32_t> level = levelJoints(part);
+        equaliseValues(sketch_.system, part, values_,
+                       [&](std::uint32_t unknown) { return level.contains(unknown) ? 0 : rank(unknown); });
+    }
+
+    /// Puts nodes on upright and level sides of others exactly: where it is off by rounding, a mesh would have a slit.
+    /// Returns the numbers that it set.
+    std::set<std::uint32_t> levelJoints(const std::vector<std::uint32_t> &part) {
+        std::set<std::uint32_t> set;
+        for (const std::uint32_t k : part) {
+            const SketchEquation &equation = sketch_.system.equations[k];
+            if (equation.kind != EquationKind::PointLine || equation.constraint < sketch_.jointId(0)) {
+                continue;
+            }
+            const auto &u = equation.unknowns;
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                if (values_[u[2 + axis]] == values_[u[4 + axis]] && !sketch_.system.held[u[axis]]) {
+                    values_[u[axis]] = values_[u[2 + axis]];
+                    set.insert(u[axis]);
+                }
+            }
+        }
+        return set;
     }
 
     /// Finds the unknowns that the command changed, and their values before it.
@@ -333,6 +360,9 @@ class Settler {
                 if (!faults.empty()) {
                     return degenerate(settled.shapes[k]->id, faults.front().message);
                 }
+                if (isTurnedOver(*next_.shapes[k], *settled.shapes[k])) {
+                    return degenerate(settled.shapes[k]->id, "it would be turned over");
+                }
                 if (const auto segment = vanishedSegment(*next_.shapes[k], *settled.shapes[k])) {
                     return degenerate(settled.shapes[k]->id,
                                       "segment " + std::to_string(*segment + 1) + " would have no length");
@@ -340,6 +370,15 @@ class Settler {
             }
         }
         return settled;
+    }
+
+    /// Returns true if a closed shape with straight sides has become its mirror image.
+    static bool isTurnedOver(const Shape &before, const Shape &after) {
+        const bool closed = sideCount(before) == handleCount(before) && handleCount(before) > 2;
+        if (!closed || handleCount(before) != handleCount(after) || (isPath(before) && !before.path().curves.empty())) {
+            return false;
+        }
+        return signedArea(handlesOf(before)) * signedArea(handlesOf(after)) < 0.0;
     }
 
     /// Returns the first segment of a path or rectangle that has lost its length.
@@ -360,9 +399,12 @@ class Settler {
     }
 
     Diagnostics degenerate(std::uint32_t shape, const std::string &why) const {
+        const bool joints = next_.constraints.empty();
         return error("constraint-conflict",
-                     "the constraints would make " + displayName(*findShape(next_, shape)) + " invalid: " + why,
-                     "enter another value, or remove a constraint");
+                     std::string(joints ? "the joints" : "the constraints") + " would make " +
+                         displayName(*findShape(next_, shape)) + " invalid: " + why,
+                     joints ? "enter another value, or detach the shapes by dragging a node with Alt"
+                            : "enter another value, or remove a constraint");
     }
 
     const Document &before_, &next_;

@@ -75,7 +75,7 @@ SketchState sketchState(const Document &document) {
     }
     sketch.finish({.places = &document});
     const SketchFreedom freedom = freedomOf(sketch.system);
-    state.degrees = freedom.degrees - degreesBeside(sketch, document);
+    state.degrees = freedom.degrees - std::min(freedom.degrees, degreesBeside(sketch, document));
     state.redundant.insert(freedom.redundant.begin(), freedom.redundant.end());
     for (const auto &[part, list] : unknowns) {
         state.determined.emplace(

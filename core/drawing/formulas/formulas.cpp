@@ -155,8 +155,12 @@ Result<Document> settledAfter(const Document &before, const Document &next, Numb
         const std::optional<double> value = readNumber(next, address);
         if (value && !hasValue(*settled, address, *value)) {
             failed = address;
-            return error("bad-formula", "constraints contradict the formula '" + text + "'",
-                         "remove it, or a constraint of " + numberName(next, address));
+            const bool joints = next.constraints.empty();
+            return error("bad-formula",
+                         std::string(joints ? "joints contradict" : "constraints contradict") + " the formula '" +
+                             text + "'",
+                         joints ? "remove it, or detach the shapes by dragging a node with Alt"
+                                : "remove it, or a constraint of " + numberName(next, address));
         }
     }
     return settled;

@@ -24,6 +24,7 @@ class Satisfier {
         for (int k = 0; k < options_.iterations; ++k) {
             const double worst = largest(residuals_);
             if (!(worst > kSketchTolerance)) {
+                polish(k > 0 && worst > 0.0);
                 return std::isfinite(worst);
             }
             normal_.set(part_.slopes(part_.x), weights_);
@@ -42,6 +43,14 @@ class Satisfier {
             residuals -= *options_.residuals;
         }
         return residuals;
+    }
+
+    /// Takes one step more, which leaves only what rounding does. A place that was right from the start stays.
+    void polish(bool wanted) {
+        if (wanted) {
+            normal_.set(part_.slopes(part_.x), weights_);
+            step();
+        }
     }
 
     /// Takes one step that reduces the residuals. Returns false if there is none.
