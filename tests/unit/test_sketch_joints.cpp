@@ -206,7 +206,7 @@ TEST_CASE("Sketch joints: the ends of an open path that meet stay together") {
     Document document = documentOf({makeShape(ShapeKind::Polyline, {{0, 0}, {4, 0}, {4, 3}, {0, 0}})});
     document.parameters = {{"w", "0"}};
     document.spacing.names = {{"w", 0.0}};
-    document = *setFormula(document, {NumberOwner::ofShape(1), Quantity::X, 0}, "w");
+    document = setFormula(document, {NumberOwner::ofShape(1), Quantity::X, 0}, "w");
     const Result<Document> moved = withWidth(document, "1");
     REQUIRE_MESSAGE(moved.ok(), messageOf(moved));
     CHECK(nodesOf(*moved, 1).front() == Vec2{1, 0});

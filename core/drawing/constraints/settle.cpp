@@ -360,7 +360,8 @@ class Settler {
                 if (!faults.empty()) {
                     return degenerate(settled.shapes[k]->id, faults.front().message);
                 }
-                if (isTurnedOver(*next_.shapes[k], *settled.shapes[k])) {
+                // A constraint may ask for it; numbers and places do not.
+                if (changedConstraints_.empty() && isTurnedOver(*next_.shapes[k], *settled.shapes[k])) {
                     return degenerate(settled.shapes[k]->id, "it would be turned over");
                 }
                 if (const auto segment = vanishedSegment(*next_.shapes[k], *settled.shapes[k])) {
