@@ -52,7 +52,10 @@ std::vector<std::uint64_t> oneColouredEdges(const ColouredBoundary &boundary) {
 }
 
 PairedCells pairTriangles(ColouredTriangles &&triangles, const std::vector<std::uint64_t> &kept, OneColoured rule) {
-    auto &[mesh, colours, faces] = triangles;
+    // By names of their own: clang 14 cannot capture structured bindings.
+    auto &mesh = triangles.mesh;
+    auto &colours = triangles.colours;
+    auto &faces = triangles.faces;
     if (rule == OneColoured::Divide) {
         divideOneColoured(mesh, colours, faces);
     }
