@@ -2,12 +2,10 @@
 
 #include "app/batch/option_notes.hpp"
 #include "app/batch/output_formats.hpp"
-#include "core/engine/base/letter_case.hpp"
 #include "core/engine/spacing/spec/size_presets.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <utility>
 
 namespace forefront {
@@ -66,27 +64,19 @@ Diagnostics dryElevations(std::span<const double> elevations, const std::vector<
 }
 
 Diagnostics otherSystem(const std::string &file, const MapSystem &raster, const MapSystem &map) {
-    if (raster.code.empty() || map.code.empty() || raster.code == map.code) {
+    const bool differs = map.centre ? raster.known() : !raster.code.empty() && raster.code != map.code;
+    if (!map.known() || !differs) {
         return {};
     }
+    const std::string its = raster.code.empty() ? "a system of its own" : raster.code;
     return warning("raster-system",
-                   file + " is in " + raster.code + " and the map in " + map.code +
+                   file + " is in " + its + " and the map in " +
+                       (map.centre         ? "metres about its middle"
+                        : map.code.empty() ? "longitudes and latitudes"
+                                           : map.code) +
                        "; the raster is used in its own coordinates",
-                   "--projection " + map.code + " converts it");
-}
-
-Diagnostics localRasters(const DrawingArguments &drawing, std::span<const std::string> files) {
-    const auto isGeoTiff = [](const std::string &file) {
-        const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
-        return extension == ".tif" || extension == ".tiff";
-    };
-    const auto found = std::ranges::find_if(files, isGeoTiff);
-    if (drawing.degrees != DegreeRule::Local || found == files.end()) {
-        return {};
-    }
-    return warning("local-raster",
-                   "--projection local converts the map alone: " + *found + " is used in its own coordinates",
-                   "--projection EPSG:n converts both");
+                   map.code.empty() ? "--projection EPSG:n converts both"
+                                    : "--projection " + map.code + " converts it");
 }
 
 } // namespace forefront

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/batch/cli_options.hpp"
 #include "app/batch/outputs.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
@@ -24,11 +23,8 @@ Diagnostics openShore(std::span<const std::string> presets, std::span<const std:
 /// Warns if all elevations are above the sea and an output is a file of depths: "dry-elevations".
 Diagnostics dryElevations(std::span<const double> elevations, const std::vector<Output> &outputs);
 
-/// Warns if a raster names another reference system than the map, neither of which is converted: "raster-system".
+/// Warns if a raster names another reference system than that of the map, also if only the map is converted to metres
+/// about its middle: "raster-system". `file`: of the raster.
 Diagnostics otherSystem(const std::string &file, const MapSystem &raster, const MapSystem &map);
-
-/// Warns if the map is converted to metres about its middle and a GeoTIFF is used, which is not: "local-raster".
-/// `files`: of the rasters.
-Diagnostics localRasters(const DrawingArguments &drawing, std::span<const std::string> files);
 
 } // namespace forefront

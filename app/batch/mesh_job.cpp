@@ -1,7 +1,5 @@
 #include "app/batch/mesh_job.hpp"
 
-#include "app/batch/coast_notes.hpp"
-#include "app/batch/elevation_option.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/part_options.hpp"
@@ -16,9 +14,7 @@
 #include "core/files/files.hpp"
 
 #include <filesystem>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace forefront {
 
@@ -162,18 +158,6 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
     return {};
 }
 
-/// Returns the files of the rasters that sizes and elevations come from.
-std::vector<std::string> rasterFiles(const MeshArguments &arguments) {
-    std::vector<std::string> files;
-    for (const std::string &raster : arguments.rasters) {
-        files.push_back(raster.substr(raster.find('=') + 1));
-    }
-    if (arguments.form.elevation && isElevationFile(*arguments.form.elevation)) {
-        files.push_back(*arguments.form.elevation);
-    }
-    return files;
-}
-
 } // namespace
 
 Result<MeshFiles> openFiles(const MeshArguments &arguments) {
@@ -212,7 +196,6 @@ Result<ReadJob> readJob(const MeshArguments &arguments, const MeshFiles &files, 
     }
     read->system = notes.contents().system;
     printNotes(notes, arguments.quiet);
-    printFaults(localRasters(arguments.drawing, rasterFiles(arguments)));
     const Diagnostics faults =
         bar.during("reading", [&] { return applySpacing(arguments, files.spacing, *read, spacingNotes); });
     if (!faults.empty()) {

@@ -226,10 +226,10 @@ class Rasters(Case):
         self.convert("ll.gpkg", "-t_srs", "EPSG:4326")
         told = self.call("mesh", "ll.gpkg", "--projection", "local", "--size", 20, "--elevation", "depth.tif", "-o", "a.14",
                          code=1).stderr
-        self.assertIn("converts the map alone: depth.tif", told)
+        self.assertIn("depth.tif is in EPSG:3067 and the map in metres about its middle", told)
         told = self.call("mesh", "ll.gpkg", "--projection", "EPSG:3067", "--size", 20, "--elevation", "depth.tif", "-o",
                          "a.14").stderr
-        self.assertNotIn("converts the map alone", told)
+        self.assertNotIn("raster-system", told)
 
     def test_a_raster_in_another_system_is_told(self):
         self.grid(lambda x, y: -5.0, "depth.asc", size=40, cell=20.0)
