@@ -303,7 +303,8 @@ std::vector<Vec2> placesOf(const Path &path, const PathStretch &stretch) {
     return places;
 }
 
-/// Returns the stretch of a path that has the places of a stretch of another one; none if it does not run along there.
+/// Returns the stretch of a path along a stretch of another one, which is given by its places; none if the path leaves
+/// them by more than `touch`.
 std::optional<PathStretch> stretchAlong(const Path &path, const std::vector<Vec2> &places, double touch) {
     std::vector<double> positions;
     for (const Vec2 place : places) {
@@ -336,15 +337,15 @@ Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at) 
         return stretch.faults();
     }
     const std::vector<Vec2> places = placesOf(*path, *stretch);
+    const double touch = jointTolerance(document);
     Result<Document> next = withoutStretch(document, *path, *stretch);
     for (const auto &other : document.shapes) {
         const bool apart = other->id == shape || other->hidden || other->locked || other->is<PointForm>();
-        if (!next || apart) {
+        if (!next || apart || !boundsOf(*other).grown(touch).contains(places.front())) {
             continue;
         }
         const Result<Path> beside = pathOf(*next, other->id);
-        const std::optional<PathStretch> same =
-            beside ? stretchAlong(*beside, places, jointTolerance(document)) : std::nullopt;
+        const std::optional<PathStretch> same = beside ? stretchAlong(*beside, places, touch) : std::nullopt;
         if (same) {
             next = withoutStretch(*next, *beside, *same);
         }

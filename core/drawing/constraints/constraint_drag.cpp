@@ -2,7 +2,6 @@
 
 #include "core/drawing/constraints/constraint_equations.hpp"
 #include "core/drawing/shapes/references.hpp"
-#include "core/drawing/sketch/equal_values.hpp"
 #include "core/drawing/sketch/sketch_drag.hpp"
 
 #include <algorithm>
@@ -38,7 +37,7 @@ class ConstraintDrag::State {
         drag_.pull(pulls); // if it fails, the values are those of the step before
         std::vector<double> solved = drag_.values();
         if (solved != start) {
-            equalise(solved);
+            align(solved);
         }
         std::map<std::uint32_t, std::map<ShapeUnknown, double>> changes;
         for (const auto &[unknown, index] : sketch_.unknowns()) {
@@ -66,8 +65,8 @@ class ConstraintDrag::State {
         return system;
     }
 
-    /// Gives numbers that must be equal the same bits, where they have moved.
-    void equalise(std::vector<double> &values) const {
+    /// Makes joints exact, where they have moved.
+    void align(std::vector<double> &values) const {
         const SketchSystem &system = sketch_.system;
         std::vector<std::uint32_t> moved;
         for (std::uint32_t k = 0; k < system.equations.size(); ++k) {
@@ -76,7 +75,7 @@ class ConstraintDrag::State {
                 moved.push_back(k);
             }
         }
-        equaliseValues(system, moved, values, [](std::uint32_t) { return 0; });
+        alignJoints(sketch_, moved, values, [](std::uint32_t) { return 1; });
     }
 
     /// Lets segments move that stood still and are pulled themselves.

@@ -59,7 +59,7 @@ class DocumentSketch {
     SketchPoint centre(const SketchPart &part);
 
     /// Adds the equations of numbers with formulas that are no unknowns themselves, such as the width of a rectangle,
-    /// those of joints, and the corners, edges and radii to be kept. To be called after all parts.
+    /// the equations of joints, and the corners, edges and radii to be kept. Call it after all parts were added.
     void finish(const JointSource &source = {});
 
     /// Returns the index of an unknown, if the sketch has it.

@@ -12,8 +12,8 @@
 
 namespace forefront {
 
-/// Follows joints from part to part of a drawing. What moves with the given parts comes first. Then come the segments
-/// of other shapes that these lie on: they stand where they are if the sketch can do without moving them.
+/// Follows joints from part to part of a drawing: first to what moves with the given parts, then to the segments of
+/// other shapes on which these lie. Such segments stand still unless the sketch can only be solved by moving them.
 class JointSearch {
   public:
     /// `document`: of the sketch; shapes that have other handles in it than in the drawing of the source have no

@@ -8,7 +8,6 @@
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
-#include "core/drawing/sketch/equal_values.hpp"
 #include "core/drawing/sketch/sketch_drag.hpp"
 #include "core/drawing/sketch/solve_sketch.hpp"
 #include "core/engine/geometry/polygon.hpp"
@@ -112,33 +111,9 @@ class Settler {
                 values_[equation.unknowns[0]] = equation.value;
             }
         }
-        const auto rank = [&](std::uint32_t unknown) { // where the command put it
+        alignJoints(sketch_, part, values_, [&](std::uint32_t unknown) { // where the command put it
             return moved_[unknown] && values_[unknown] == sketch_.system.values[unknown] ? 1 : 2;
-        };
-        equaliseValues(sketch_.system, part, values_, rank);
-        const std::set<std::uint32_t> level = levelJoints(part);
-        equaliseValues(sketch_.system, part, values_,
-                       [&](std::uint32_t unknown) { return level.contains(unknown) ? 0 : rank(unknown); });
-    }
-
-    /// Puts nodes on upright and level sides of others exactly: where it is off by rounding, a mesh would have a slit.
-    /// Returns the numbers that it set.
-    std::set<std::uint32_t> levelJoints(const std::vector<std::uint32_t> &part) {
-        std::set<std::uint32_t> set;
-        for (const std::uint32_t k : part) {
-            const SketchEquation &equation = sketch_.system.equations[k];
-            if (equation.kind != EquationKind::PointLine || equation.constraint < sketch_.jointId(0)) {
-                continue;
-            }
-            const auto &u = equation.unknowns;
-            for (std::size_t axis = 0; axis < 2; ++axis) {
-                if (values_[u[2 + axis]] == values_[u[4 + axis]] && !sketch_.system.held[u[axis]]) {
-                    values_[u[axis]] = values_[u[2 + axis]];
-                    set.insert(u[axis]);
-                }
-            }
-        }
-        return set;
+        });
     }
 
     /// Finds the unknowns that the command changed, and their values before it.

@@ -5,6 +5,7 @@
 #include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/joints/joint_index.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing/sketch/equal_values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -107,6 +108,28 @@ class JointWriter {
 };
 
 } // namespace
+
+void alignJoints(const DocumentSketch &sketch, std::span<const std::uint32_t> equations, std::vector<double> &values,
+                 const std::function<int(std::uint32_t)> &rank) {
+    const SketchSystem &system = sketch.system;
+    equaliseValues(system, equations, values, rank);
+    std::set<std::uint32_t> aligned;
+    for (const std::uint32_t k : equations) {
+        const SketchEquation &equation = system.equations[k];
+        if (equation.kind != EquationKind::PointLine || equation.constraint < sketch.jointId(0)) {
+            continue;
+        }
+        const auto &u = equation.unknowns; // x and y of the node and of the ends of the side
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            if (values[u[2 + axis]] == values[u[4 + axis]] && !system.held[u[axis]]) {
+                values[u[axis]] = values[u[2 + axis]];
+                aligned.insert(u[axis]);
+            }
+        }
+    }
+    equaliseValues(system, equations, values,
+                   [&](std::uint32_t unknown) { return aligned.contains(unknown) ? 0 : rank(unknown); });
+}
 
 JointFinder::JointFinder(DocumentSketch &sketch, const JointSource &source) : sketch_(sketch), source_(source) {}
 

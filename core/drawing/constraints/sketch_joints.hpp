@@ -4,7 +4,10 @@
 #include "core/drawing/shapes/references.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,6 +25,12 @@ struct JointSource {
     std::set<SketchPart> moved{};
     std::set<NodeRef> apart{}; ///< nodes that are joined with one another only: they are being detached
 };
+
+/// Makes a solution of equations of a sketch exact where it is so up to a tolerance: numbers that are equal get the
+/// same bits, see equaliseValues(), and nodes on upright and level sides lie on them. Else meshes would have slits
+/// there. `rank`: at least 1.
+void alignJoints(const DocumentSketch &sketch, std::span<const std::uint32_t> equations, std::vector<double> &values,
+                 const std::function<int(std::uint32_t)> &rank);
 
 /// A joint of a sketch: a node, and the node at the same place or the segment that it lies on; or two curved segments.
 struct SketchJoint {

@@ -115,7 +115,6 @@ bool Assembler::separates(std::uint32_t edge) const {
 
 void Assembler::decideFates() {
     fate_.resize(snapped_.edges.size());
-    shared_.assign(input_.keepFolds ? snapped_.edges.size() : 0, 0);
     for (std::uint32_t e = 0; e < fate_.size(); ++e) {
         fate_[e] = fateOf(e);
         const auto first = runs_.runs.begin() + runs_.starts[e], last = runs_.runs.begin() + runs_.starts[e + 1];
@@ -124,11 +123,7 @@ void Assembler::decideFates() {
                 return input_.contours[run.contour].rule == FillRule::EvenOdd ? run.times % 2 == 0 : run.times == 0;
             });
         if (fate_[e] == Fate::Inner && folded) {
-            const bool stays = input_.keepFolds && inside(faces_.left[e]);
-            fate_[e] = stays ? Fate::Constraint : Fate::Folded;
-            if (stays) {
-                shared_[e] = 1;
-            }
+            fate_[e] = input_.keepFolds && inside(faces_.left[e]) ? Fate::Shared : Fate::Folded;
         }
         if (!input_.clips.empty() && !kept(e)) {
             fate_[e] = clippedFate(e, fate_[e]);

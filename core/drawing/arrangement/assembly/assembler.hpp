@@ -28,7 +28,8 @@ class Assembler {
 
   private:
     /// The role of an edge in the domain, or the reason why it is dropped.
-    enum class Fate : std::uint8_t { Boundary, Constraint, Inner, Folded, Outside, Clipped, OfClip, Repeated };
+    /// Shared: a line of outlines that run along each other.
+    enum class Fate : std::uint8_t { Boundary, Constraint, Shared, Inner, Folded, Outside, Clipped, OfClip, Repeated };
 
     void collectRuns();
     std::vector<ClippedLine> clippedLines();
@@ -62,7 +63,7 @@ class Assembler {
     std::uint32_t lineCount() const { return static_cast<std::uint32_t>(joined_.lines.size()); }
     const ArrangementPiece &pieceOf(std::uint32_t line) const { return input_.pieces[joined_.source[line]]; }
     bool inside(std::uint32_t face) const { return cover_.shapes[face] > 0; }
-    bool kept(std::uint32_t edge) const { return fate_[edge] == Fate::Boundary || fate_[edge] == Fate::Constraint; }
+    bool kept(std::uint32_t edge) const { return fate_[edge] <= Fate::Shared; }
 
     const ArrangementInput &input_;
     const JoinedLines &joined_;
@@ -73,9 +74,7 @@ class Assembler {
     std::vector<std::uint8_t> isLine_; ///< per edge: a constraint runs along it and is not clipped away
     std::vector<std::uint8_t> hidden_; ///< per edge: a constraint along it is clipped away; empty without clips
     std::vector<Fate> fate_;           ///< per edge
-    /// Per edge: outlines that run along each other became a line; empty unless they may.
-    std::vector<std::uint8_t> shared_;
-    std::vector<BesideEdge> beside_; ///< per edge; empty if no line may be dropped
+    std::vector<BesideEdge> beside_;   ///< per edge; empty if no line may be dropped
     RepeatedOutlines repeats_;
     std::map<std::uint32_t, double> repeated_; ///< the edges that repeat outlines, with their distance from them
     std::vector<std::int32_t> tag_;            ///< per edge

@@ -4,7 +4,6 @@
 #include "core/engine/base/ids.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace forefront {
 
@@ -54,7 +53,8 @@ void Assembler::reportLine(std::uint32_t line) {
         const std::uint32_t edge = snapped_.ways[k] / 2;
         const PlaneEdge &ends = snapped_.edges[edge];
         const Vec2 middle = midpoint(snapped_.nodes[ends.a], snapped_.nodes[ends.b]);
-        if (!shared_.empty() && std::exchange(shared_[edge], 0) != 0) {
+        if (fate_[edge] == Fate::Shared) {
+            fate_[edge] = Fate::Constraint; // each edge counts once
             changes_.add(ChangeKind::SharedBoundaries, middle, 0.0, piece);
         }
         if (kept(edge) || added_[edge] != 0) {
@@ -79,6 +79,7 @@ void Assembler::reportLine(std::uint32_t line) {
             break;
         case Fate::Boundary:
         case Fate::Constraint:
+        case Fate::Shared:
         case Fate::OfClip:
             break;
         }
