@@ -45,9 +45,9 @@ def mesh(domain: Any, size: Any = None, *, limits: Optional[Mapping[str, float]]
     counts · min_angle: no triangle has a smaller angle, in degrees up to 33, except at sharp corners of the domain and
     beside segments that may not be divided, which the notes name · repair: join what crosses or touches first · max_elements · verify: check the mesh against the domain.
 
-    limits: those that the mesh should meet besides those of a project, such as {'max_growth': 2}; ``notes`` warns of each
-    that it violates. fix: change the settings until the mesh meets them, as far as that is possible; ``notes`` has each
-    change. The names of limits are those of :meth:`Mesh.check`.
+    limits: of the mesh, such as {'max_growth': 2}, besides those of a project; their names are those of :meth:`Mesh.check`.
+    ``notes`` warns where the mesh violates one. fix: change the settings until the mesh meets its limits, as far as that
+    is possible; ``notes`` has each change.
 
     progress: called as progress(stage, fraction) on the same thread, at most every 20 ms. An exception that it or the
     size function raises ends the run and arrives unchanged, as does Ctrl-C.

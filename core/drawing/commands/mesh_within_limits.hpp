@@ -15,7 +15,7 @@ struct FixedMesh {
 };
 
 /// Meshes a job; while the mesh violates limits, changes the settings that help by fixOf() and meshes it again, in at
-/// most kMaxFixRounds rounds. Returns the mesh with the fewest violations, the first of several. Errors: those of
+/// most kMaxFixRounds rounds. Returns the mesh with the fewest violations; of several, the first. Errors: those of
 /// meshDomain() for the job as given, cancelled.
 Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, const Progress &progress);
 
