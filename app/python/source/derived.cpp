@@ -1,6 +1,6 @@
 #include "app/python/source/derived.hpp"
 
-#include "app/batch/report.hpp"
+#include "app/reports/report.hpp"
 #include "app/python/source/arrays.hpp"
 #include "app/python/source/domain.hpp"
 #include "app/python/source/faults.hpp"

@@ -1,4 +1,4 @@
-#include "app/batch/report.hpp"
+#include "app/reports/report.hpp"
 #include "app/python/source/arrays.hpp"
 #include "app/python/source/domain.hpp"
 #include "app/python/source/faults.hpp"

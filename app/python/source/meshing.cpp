@@ -1,6 +1,6 @@
 #include "app/python/source/meshing.hpp"
 
-#include "app/batch/report.hpp"
+#include "app/reports/report.hpp"
 #include "app/python/source/arrays.hpp"
 #include "app/python/source/faults.hpp"
 #include "app/python/source/job.hpp"

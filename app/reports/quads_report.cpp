@@ -1,4 +1,4 @@
-#include "app/batch/quads_report.hpp"
+#include "app/reports/quads_report.hpp"
 
 #include "core/engine/base/number_text.hpp"
 

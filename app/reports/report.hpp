@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/batch/crack_report.hpp"
-#include "app/batch/periodic_report.hpp"
+#include "app/reports/crack_report.hpp"
+#include "app/reports/periodic_report.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/mesh_extent.hpp"

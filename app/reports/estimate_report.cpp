@@ -1,4 +1,4 @@
-#include "app/batch/estimate_report.hpp"
+#include "app/reports/estimate_report.hpp"
 
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/base/version.hpp"

@@ -1,6 +1,6 @@
-#include "app/batch/report.hpp"
+#include "app/reports/report.hpp"
 
-#include "app/batch/quads_report.hpp"
+#include "app/reports/quads_report.hpp"
 #include "core/engine/base/hash.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/base/version.hpp"
@@ -262,7 +262,8 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
     json.endArray();
 }
 
-bool hasQuads(const RunReport &report) { // also of single regions
+/// Returns true if a run made quadrilaterals, be it in one region alone.
+bool hasQuads(const RunReport &report) {
     return report.elements != Elements::Triangles || report.quads.quadrilaterals > 0;
 }
 

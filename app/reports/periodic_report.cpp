@@ -1,4 +1,4 @@
-#include "app/batch/periodic_report.hpp"
+#include "app/reports/periodic_report.hpp"
 
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/domain.hpp"

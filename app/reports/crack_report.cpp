@@ -1,4 +1,4 @@
-#include "app/batch/crack_report.hpp"
+#include "app/reports/crack_report.hpp"
 
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/domain.hpp"
