@@ -3,13 +3,13 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
-#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/unit_option.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/engine/adapt/mesh_outline.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesh/verify.hpp"
@@ -224,17 +224,17 @@ int runAdapt(const AdaptArguments &arguments) {
     }
     printNotes(notes, arguments.quiet);
     if (arguments.domain && domainFile->isProject() && !arguments.quiet) {
-        printFaults(noteOf("project-domain",
-                           "only the drawing of the project is used; the sizes follow the error, and this command "
-                           "sets the meshing options"));
+        printFaults({noteOf("project-domain",
+                            "only the drawing of the project is used; the sizes follow the error, and this command "
+                            "sets the meshing options")});
     }
     interrupt.deferToStop();
     const auto isPlain = [](const CellBlock &block) { return block.size() == 0 || block.traits().nodes == 3; };
     if (!std::ranges::all_of(input->mesh.blocks, isPlain) && !arguments.quiet) {
-        printFaults(noteOf("triangles-alone",
-                           "the new mesh has triangles of first order alone: adapting makes no quadrilaterals and no "
-                           "elements of second order",
-                           {}, Severity::Warning));
+        printFaults(
+            {warningOf("triangles-alone",
+                       "the new mesh has triangles of first order alone: adapting makes no quadrilaterals and no "
+                       "elements of second order")});
     }
     TriMesh triangles = takeTriangulated(std::move(input->mesh)).mesh; // the error is estimated on triangles
     const Result<TriMesh> mesh = arguments.field

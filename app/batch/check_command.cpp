@@ -4,7 +4,6 @@
 #include "app/batch/crack_option.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
-#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/raster_option.hpp"
 #include "app/batch/strip_option.hpp"
@@ -14,6 +13,7 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/hash.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/mesh_domain.hpp"
 #include "core/engine/mesh/orientation.hpp"
@@ -189,11 +189,9 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
         if (innerTags) {
             parts = checkBoundaryParts(mesh, input.path, input.options, changes);
         } else if (hasConstraints(domain)) {
-            Diagnostic &note = parts.emplace_back();
-            note.severity = Severity::Note;
-            note.code = "inner-edges";
-            note.message =
-                "tags of edges inside the domain are not compared: the mesh has none, as is usual in this format";
+            parts.push_back(noteOf(
+                "inner-edges",
+                "tags of edges inside the domain are not compared: the mesh has none, as is usual in this format"));
         }
         faults.insert(faults.end(), std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
         return faults;
@@ -201,14 +199,11 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
     faults = locateInDomain(meshingFaults(faults, domain, input, sources), input, sources);
     const FileFormat *const format = input.format();
     if (format != nullptr && format->arranges && !arguments.repair && arguments.drawing == DrawingArguments{}) {
-        Diagnostic hint;
-        hint.severity = Severity::Note;
-        hint.code = "default-options";
-        hint.message = "the domain was read with the default options";
-        hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --layer, --name-property, "
-                      "--projection, --name, --beyond-page, --drop-lines, --stroke-areas, --shape-regions, "
-                      "--no-white-holes or --repair";
-        faults.push_back(std::move(hint));
+        faults.push_back(
+            noteOf("default-options", "the domain was read with the default options",
+                   "repeat those that the mesh was made with, such as --weld, --overlap, --layer, --name-property, "
+                   "--projection, --name, --beyond-page, --drop-lines, --stroke-areas, --shape-regions, "
+                   "--no-white-holes or --repair"));
     }
     return faults;
 }
@@ -303,7 +298,7 @@ int check(CheckArguments &arguments) {
             const Result<Document> project = readDocument(domain->path, domain->options);
             if (project && project->limits.any()) {
                 printFaults(
-                    noteOf("limits", "the limits of the project are not checked", "add --limits with its name"));
+                    {noteOf("limits", "the limits of the project are not checked", "add --limits with its name")});
             }
         }
     } else {
@@ -313,8 +308,7 @@ int check(CheckArguments &arguments) {
         const auto name = [&](std::int32_t tag) { return boundaryName(mesh->boundaryNames, tag); };
         faults.push_back(noteOf("periodic", "periodic: " + name(link.to) + " is the image of " + name(link.from) +
                                                 ", " + countText(periodicPairs(*mesh, link).pairs.size(), "pair") +
-                                                " of nodes")
-                             .front());
+                                                " of nodes"));
     }
     if (mesh->elementCount() == 0) {
         faults = error("empty-mesh", "the mesh has no elements");

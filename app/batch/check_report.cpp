@@ -2,9 +2,9 @@
 
 #include "app/batch/cli_options.hpp"
 #include "app/batch/exit_code.hpp"
-#include "app/batch/option_notes.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/engine/base/enum_words.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/files.hpp"
 
@@ -95,8 +95,8 @@ Diagnostics fixAdvice(const std::vector<LimitVerdict> &verdicts) {
             violated = violated || verdict.broken > 0;
         }
     }
-    return violated ? noteOf("limits", "the command mesh looks for settings that meet these limits",
-                             "add to it: " + options + "--fix")
+    return violated ? Diagnostics{noteOf("limits", "the command mesh looks for settings that meet these limits",
+                                         "add to it: " + options + "--fix")}
                     : Diagnostics();
 }
 

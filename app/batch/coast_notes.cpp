@@ -1,7 +1,7 @@
 #include "app/batch/coast_notes.hpp"
 
-#include "app/batch/option_notes.hpp"
 #include "app/batch/output_formats.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/spacing/spec/size_presets.hpp"
 
 #include <algorithm>
@@ -14,10 +14,6 @@ namespace {
 
 /// The part of the nodes, in per cent, above which a domain counts as dry.
 constexpr std::size_t kDryPercent = 90;
-
-Diagnostics warning(const char *code, std::string message, std::string advice) {
-    return noteOf(code, std::move(message), std::move(advice), Severity::Warning);
-}
 
 } // namespace
 
@@ -34,12 +30,11 @@ Diagnostics dryPresets(std::span<const std::string> presets, const SpacingSpec &
         const std::size_t percent = 100 * dry / mesh.nodes.size();
         if (percent >= kDryPercent) {
             const std::string other = (depth.negative ? "depth=" : "elevation=") + depth.raster;
-            const Diagnostics one = warning("dry-domain",
-                                            "--size-preset " + depth.rule + ": " + std::to_string(percent) +
-                                                " % of the nodes are above the sea; they have the sizes of the "
-                                                "least depth",
-                                            "if the raster has the other sign, write " + other);
-            warnings.insert(warnings.end(), one.begin(), one.end());
+            warnings.push_back(warningOf("dry-domain",
+                                         "--size-preset " + depth.rule + ": " + std::to_string(percent) +
+                                             " % of the nodes are above the sea; they have the sizes of the "
+                                             "least depth",
+                                         "if the raster has the other sign, write " + other));
         }
     }
     return warnings;
@@ -49,8 +44,8 @@ Diagnostics openShore(std::span<const std::string> presets, std::span<const std:
     if (open.empty() || !countsAllAsShore(presets)) {
         return {};
     }
-    return warning("open-shore", "--size-preset shore: elements are small along the open boundary, too",
-                   "add part=NAME with the part of the boundary that is the shore");
+    return {warningOf("open-shore", "--size-preset shore: elements are small along the open boundary, too",
+                      "add part=NAME with the part of the boundary that is the shore")};
 }
 
 Diagnostics dryElevations(std::span<const double> elevations, const std::vector<Output> &outputs) {
@@ -59,8 +54,8 @@ Diagnostics dryElevations(std::span<const double> elevations, const std::vector<
     if (!dry || !anyHas(outputs, &FileFormat::hasOpenBoundaries)) {
         return {};
     }
-    return warning("dry-elevations", "all elevations are above 0, so that all depths are negative",
-                   "if the values are depths, change their sign");
+    return {warningOf("dry-elevations", "all elevations are above 0, so that all depths are negative",
+                      "if the values are depths, change their sign")};
 }
 
 Diagnostics otherSystem(const std::string &file, const MapSystem &raster, const MapSystem &map) {
@@ -69,14 +64,14 @@ Diagnostics otherSystem(const std::string &file, const MapSystem &raster, const 
         return {};
     }
     const std::string its = raster.code.empty() ? "a system of its own" : raster.code;
-    return warning("raster-system",
-                   file + " is in " + its + " and the map in " +
-                       (map.centre         ? "metres about its middle"
-                        : map.code.empty() ? "longitudes and latitudes"
-                                           : map.code) +
-                       "; the raster is used in its own coordinates",
-                   map.code.empty() ? "--projection EPSG:n converts both"
-                                    : "--projection " + map.code + " converts it");
+    return {warningOf("raster-system",
+                      file + " is in " + its + " and the map in " +
+                          (map.centre         ? "metres about its middle"
+                           : map.code.empty() ? "longitudes and latitudes"
+                                              : map.code) +
+                          "; the raster is used in its own coordinates",
+                      map.code.empty() ? "--projection EPSG:n converts both"
+                                       : "--projection " + map.code + " converts it")};
 }
 
 } // namespace forefront

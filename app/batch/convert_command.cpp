@@ -6,7 +6,6 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/open_boundaries.hpp"
-#include "app/batch/option_notes.hpp"
 #include "app/batch/output_formats.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
@@ -15,6 +14,7 @@
 #include "app/batch/unit_option.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/cancelled.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/second_order.hpp"
@@ -87,10 +87,7 @@ struct ConvertArguments {
 
 /// Prints a note with the names of the values that no output holds.
 void noteDroppedFields(const MeshFields &read, const Input &file) {
-    Diagnostic note;
-    note.severity = Severity::Note;
-    note.code = kDroppedFields;
-    note.message = droppedFields(read);
+    Diagnostic note = noteOf(kDroppedFields, droppedFields(read));
     if (note.message.empty()) {
         return;
     }
@@ -124,9 +121,9 @@ bool hasTriangles(const Mesh &mesh) {
 /// Prints how many triangles recombining left.
 void noteRecombined(const QuadReport &report, const ConvertArguments &arguments) {
     if (report.triangles > 0 && !arguments.quiet) {
-        printFaults(noteOf("triangles-left", countText(report.triangles, "triangle") +
-                                                 " left, where faces have odd numbers of edges, "
-                                                 "or lines that must stay meet at flat angles"));
+        printFaults({noteOf("triangles-left", countText(report.triangles, "triangle") +
+                                                  " left, where faces have odd numbers of edges, "
+                                                  "or lines that must stay meet at flat angles")});
     }
 }
 
@@ -134,7 +131,7 @@ void noteRecombined(const QuadReport &report, const ConvertArguments &arguments)
 Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const Progress &progress) {
     const auto noEffect = [&](const std::string &text) {
         if (!arguments.quiet) {
-            printFaults(noteOf("no-effect", text));
+            printFaults({noteOf("no-effect", text)});
         }
     };
     if (arguments.triangles && mesh.blocks.size() == 1 && mesh.blocks.front().kind() == CellKind::Triangle3) {
@@ -244,8 +241,8 @@ int runConvert(const ConvertArguments &arguments) {
     }
     if (arguments.recombine && hasTriangles(read->mesh) && !elevations.empty()) {
         elevations.clear();
-        printFaults(noteOf("elevations", "the elevations of the file are left out, since recombining moves nodes; "
-                                         "give them with --elevation"));
+        printFaults({noteOf("elevations", "the elevations of the file are left out, since recombining moves nodes; "
+                                          "give them with --elevation")});
     }
     Mesh mesh = std::move(read->mesh);
     if (mesh.elementCount() == 0) {
@@ -256,7 +253,7 @@ int runConvert(const ConvertArguments &arguments) {
     if (isClockwise(mesh)) {
         mesh = turned(std::move(mesh));
         if (!arguments.quiet) {
-            printFaults(noteOf("clockwise", "all elements are clockwise; they are written turned the other way"));
+            printFaults({noteOf("clockwise", "all elements are clockwise; they are written turned the other way")});
         }
     }
     if (const Diagnostics faults = changeElements(mesh, arguments, progress); !faults.empty()) {

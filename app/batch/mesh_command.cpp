@@ -13,6 +13,7 @@
 #include "app/reports/estimate_report.hpp"
 #include "app/reports/report.hpp"
 #include "core/drawing/commands/mesh_within_limits.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
@@ -34,7 +35,7 @@ namespace {
 Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job, const SpacingField &spacing) {
     Diagnostics notes;
     const auto add = [&](const char *option, const char *reason) {
-        notes.push_back(noteOf("no-effect", std::string(option) + " has no effect: " + reason).front());
+        notes.push_back(noteOf("no-effect", std::string(option) + " has no effect: " + reason));
     };
     if (arguments.gradation && spacing.minimum() == spacing.maximum()) {
         add("--gradation", "the size is the same everywhere");

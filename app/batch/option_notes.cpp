@@ -1,18 +1,12 @@
 #include "app/batch/option_notes.hpp"
 
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace forefront {
-
-Diagnostics noteOf(std::string code, std::string message, std::string advice, Severity severity) {
-    Diagnostics notes = error(std::move(code), std::move(message), std::move(advice));
-    notes.front().severity = severity;
-    return notes;
-}
 
 Diagnostics replacedSpacing(const std::string &option, const SpacingSpec &spacing) {
     std::string list;
@@ -31,8 +25,9 @@ Diagnostics replacedSpacing(const std::string &option, const SpacingSpec &spacin
     add(spacing.gradation.has_value(), "the gradation");
     add(spacing.segmentsPerTurn.has_value(), "the elements per turn");
     add(spacing.elementsAcross.has_value(), "the elements across narrow places");
-    return list.empty() ? Diagnostics()
-                        : noteOf("replaced-spacing", option + " replaces the spacing of the project, with " + list);
+    return list.empty()
+               ? Diagnostics()
+               : Diagnostics{noteOf("replaced-spacing", option + " replaces the spacing of the project, with " + list)};
 }
 
 Diagnostics violatedLimits(const MeshView &mesh, const MeshLimits &limits, const SpacingField *spacing) {

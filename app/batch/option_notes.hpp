@@ -9,9 +9,6 @@
 
 namespace forefront {
 
-/// Returns a list that holds one note or warning of the command line.
-Diagnostics noteOf(std::string code, std::string message, std::string advice = {}, Severity severity = Severity::Note);
-
 /// Returns a note that lists the rules of a project, besides its size or expression, that an option such as --size
 /// replaces; empty if there are none.
 Diagnostics replacedSpacing(const std::string &option, const SpacingSpec &spacing);

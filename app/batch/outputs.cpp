@@ -5,6 +5,7 @@
 #include "app/batch/standard_output.hpp"
 #include "app/batch/suggestion.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/files.hpp"
 
@@ -123,37 +124,32 @@ Diagnostics writeOutput(FileSet &files, const Output &output, const MeshView &me
     return sink.failure() != 0 ? sink.status() : status;
 }
 
-/// Reports that inner edges were left out because of the format.
-Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
-    Diagnostic note;
-    note.severity = Severity::Note;
-    note.code = "inner-edges";
-    note.message = "left out " + countText(count, "tagged edge") +
-                   " inside the domain: in this format, every tagged edge is a boundary; --inner-edges keep writes " +
-                   (count == 1 ? "it" : "them");
+/// Returns a note on the file of an output.
+Diagnostic noteOn(const Output &output, std::string code, std::string message) {
+    Diagnostic note = noteOf(std::move(code), std::move(message));
     note.file = isStandardStream(output.path) ? "" : output.path.string();
     return note;
+}
+
+/// Reports that inner edges were left out because of the format.
+Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
+    return noteOn(
+        output, "inner-edges",
+        "left out " + countText(count, "tagged edge") +
+            " inside the domain: in this format, every tagged edge is a boundary; --inner-edges keep writes " +
+            (count == 1 ? "it" : "them"));
 }
 
 /// Reports that no part of the boundary is open.
 Diagnostic allLandNote(const Output &output) {
-    Diagnostic note;
-    note.severity = Severity::Note;
-    note.code = "no-open-boundary";
-    note.message = "all of the boundary is land; --open NAME opens a part";
-    note.file = isStandardStream(output.path) ? "" : output.path.string();
-    return note;
+    return noteOn(output, "no-open-boundary", "all of the boundary is land; --open NAME opens a part");
 }
 
 /// Reports how thick a plane mesh becomes.
 Diagnostic thicknessNote(const Output &output, const MeshView &mesh) {
-    Diagnostic note;
-    note.severity = Severity::Note;
-    note.code = "thickness";
-    note.message = "the mesh is one cell thick, " + numberText(usualExtrusion(mesh).height, 4) +
-                   " as the elements are wide; --extrude H sets the thickness";
-    note.file = isStandardStream(output.path) ? "" : output.path.string();
-    return note;
+    return noteOn(output, "thickness",
+                  "the mesh is one cell thick, " + numberText(usualExtrusion(mesh).height, 4) +
+                      " as the elements are wide; --extrude H sets the thickness");
 }
 
 /// The forms of a mesh that outputs need, each made once.

@@ -2,6 +2,7 @@
 
 #include "app/reports/quads_report.hpp"
 #include "core/engine/base/hash.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/base/version.hpp"
 #include "core/engine/platform/process.hpp"
@@ -175,13 +176,11 @@ Diagnostics straightNote(const SecondOrderReport &order, StraightReason reason, 
     if (count == 0) {
         return {};
     }
-    Diagnostics note =
-        error("straight-edge",
-              (count == 1 ? "1 edge along a curve is" : std::to_string(count) + " edges along curves are") +
-                  (" straight, " + std::string(why)) + places + (count > kShown ? " and more; --stats lists all" : ""),
-              advice);
-    note.front().severity = Severity::Note;
-    return note;
+    return {noteOf("straight-edge",
+                   (count == 1 ? "1 edge along a curve is" : std::to_string(count) + " edges along curves are") +
+                       (" straight, " + std::string(why)) + places +
+                       (count > kShown ? " and more; --stats lists all" : ""),
+                   advice)};
 }
 
 } // namespace

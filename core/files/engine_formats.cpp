@@ -307,10 +307,9 @@ constexpr std::array kFormats = {
                      .solidsOnly = true,
                      .folder = kFoamFiles,
                      .program = "OpenFOAM",
-                     .keeps =
-                         "Writes a folder with constant/polyMesh, one cell thick unless --extrude says more. Keeps "
-                         "boundary parts as patches, regions as cell zones, tagged edges inside as face zones, "
-                         "with names made identifiers; points are left out. Cannot be read back."},
+                     .keeps = "Writes a folder with constant/polyMesh, one cell thick unless extruded further. Keeps "
+                              "boundary parts as patches, regions as cell zones, tagged edges inside as face zones, "
+                              "with names made identifiers; points are left out. Cannot be read back."},
            .noteChanges = noteOpenFoamChanges,
            .writeFiles = writeOpenFoam},
     Format{.about = {.id = "2dm",

@@ -1,5 +1,5 @@
 """Checks that every field of the editor, and every tool in which numbers are typed, has a test with slow frames: a row in
-tests/ui/entry_fields.hpp whose case is in tests/ui/test_slow_*.cpp. Usage: test_entry_fields.py ROOT"""
+tests/ui/entry_fields.txt whose case is in tests/ui/test_slow_*.cpp. Usage: test_entry_fields.py ROOT"""
 import re
 import sys
 from collections import Counter
@@ -13,7 +13,6 @@ FUNCTIONS = ["ui::inputNumber", "ui::inputOptional", "ui::inputExpression", "ui:
 CALL = re.compile(r"(?<![\w:.>])(" + "|".join(FUNCTIONS) + r")\(\s*context,\s*")
 TYPING = {"NumericEntry": re.compile(r"^    NumericEntry \w+;", re.M),
           "entryFields": re.compile(r"^    (?:virtual )?std::span<const EntryField> entryFields\(\) const\b", re.M)}
-ROW = re.compile(r'\{"([^"]*)",\s*"([^"]*)",\s*"([^"]*)",\s*"([^"]*)"\}')
 WRAPPED = "for others: "
 
 
@@ -48,11 +47,12 @@ def main():
     root = Path(sys.argv[1])
     drawn = Counter((path.relative_to(root / "ui").as_posix(), name) for path in sorted((root / "ui").rglob("*.[ch]pp"))
                     for name in calls(path))
-    rows = ROW.findall((root / "tests/ui/entry_fields.hpp").read_text(encoding="utf-8"))
+    lines = (root / "tests/ui/entry_fields.txt").read_text(encoding="utf-8").splitlines()
+    rows = [[column.strip() for column in line.split("|")] for line in lines if not line.startswith("#")]
     listed = Counter((source, call) for source, call, _, _ in rows if source)
     tests = "".join(path.read_text(encoding="utf-8") for path in sorted((root / "tests/ui").glob("test_slow_*.cpp")))
     cases = set(re.findall(r'expectSame\(\s*"([^"]*)"', tests))
-    faults = [f"ui/{source}: the field {name} has no row in tests/ui/entry_fields.hpp ({count} drawn, {listed[source, name]} listed)"
+    faults = [f"ui/{source}: the field {name} has no row in tests/ui/entry_fields.txt ({count} drawn, {listed[source, name]} listed)"
               for (source, name), count in drawn.items() if count > listed[source, name]]
     faults += [f"ui/{source} draws no field {name} ({count} listed)" for (source, name), count in listed.items()
                if count > drawn[source, name]]

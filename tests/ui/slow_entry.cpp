@@ -1,14 +1,47 @@
 #include "tests/ui/slow_entry.hpp"
 
-#include "tests/ui/entry_fields.hpp"
-
 #include <doctest/doctest.h>
 
+#include <array>
+#include <fstream>
+#include <map>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace forefront::test {
 
+namespace {
+
+/// Returns a text without the spaces around it.
+std::string trimmed(const std::string &text) {
+    const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+    return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+/// Returns the fields of each case that entry_fields.txt lists.
+std::map<std::string, std::vector<std::string>> readEntryFields() {
+    std::ifstream list(std::string(FOREFRONT_SOURCE_DIR) + "/tests/ui/entry_fields.txt");
+    std::map<std::string, std::vector<std::string>> fields;
+    for (std::string line; std::getline(list, line);) {
+        std::istringstream row(line);
+        std::array<std::string, 4> columns; // the source, the call, the field and the case
+        for (std::string &column : columns) {
+            std::getline(row, column, '|');
+            column = trimmed(column);
+        }
+        if (!line.starts_with('#') && !columns[2].empty()) {
+            fields[columns[3]].push_back(columns[2]);
+        }
+    }
+    return fields;
+}
+
+} // namespace
+
 void expectSame(const char *what, const Entry &entry, const Outcome &outcome) {
+    static const std::map<std::string, std::vector<std::string>> kEntryFields = readEntryFields();
+    REQUIRE_FALSE(kEntryFields.empty());
     const std::string name(what);
     CAPTURE(name);
     Typist fast(false), slow(true);
@@ -21,9 +54,8 @@ void expectSame(const char *what, const Entry &entry, const Outcome &outcome) {
     if (outcome) {
         CHECK(outcome(slow) == outcome(fast));
     }
-    for (const EntryField &listed : kEntryFields) {
-        if (listed.typedIn == name && *listed.field != '\0') {
-            const std::string field(listed.field);
+    if (const auto listed = kEntryFields.find(name); listed != kEntryFields.end()) {
+        for (const std::string &field : listed->second) {
             CAPTURE(field);
             CHECK(fast.fields().contains(field));
             CHECK(slow.fields().contains(field));

@@ -49,8 +49,7 @@ TEST_CASE("Slow frames: the numbers of a shape in its panel") {
         typist.write("v");
     });
     expectSame("name", [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
+        selectedRectangle(typist);
         typist.touch("inspector/name");
         tabbed(typist, "plate");
         tabbed(typist, "3");
@@ -118,9 +117,7 @@ TEST_CASE("Slow frames: names, sizes and commands that open a field") {
         typist.write("r");
     });
     expectSame("name of a segment", [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
-        typist.finish();
+        selectedRectangle(typist);
         typist.clickPlace({3, 2});
         typist.clickPlace({3, 2});
         typist.tap(key::kF1 + 1);
@@ -230,9 +227,7 @@ TEST_CASE("Slow frames: the table of nodes, elements of a side, boundary layers 
         CHECK(typist.document().shapes[0]->nodes[1] == Vec2{7, 1.5});
     });
     const auto chooseSide = [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
-        typist.finish();
+        selectedRectangle(typist);
         typist.clickPlace({3, 2});
         typist.clickPlace({3, 2});
         typist.settle();

@@ -26,6 +26,16 @@ std::filesystem::path greyPicture(const TemporaryFolder &place) {
     return file;
 }
 
+/// Drops a picture on a rectangle, and chooses the tool for it.
+void placePicture(Typist &typist, const TemporaryFolder &place) {
+    typedRectangle(typist);
+    typist.finish();
+    typist.editor().input().push({.kind = InputKind::Drop, .paths = {greyPicture(place).string()}});
+    typist.frames(2);
+    typist.settle();
+    chooseTool(typist, "picture");
+}
+
 /// Returns what the fields of the dialog show.
 std::string filmText(Typist &typist) {
     std::string text;
@@ -80,9 +90,9 @@ TEST_CASE("Slow frames: tags and numbers of the next shape in the options bar") 
     expectSame("brush", [](Typist &typist) {
         typedRectangle(typist);
         typist.write("b");
-        typeOver(typist, "options/brush/strength", "0.5");
-        typeOver(typist, "options/brush/falloff", "0.25");
-        typeOver(typist, "options/brush/spacing", "0.06");
+        typeOver(
+            typist,
+            {{"options/brush/strength", "0.5"}, {"options/brush/falloff", "0.25"}, {"options/brush/spacing", "0.06"}});
         typist.finish();
         typist.dragPlaces({3, 3}, {4, 4});
     });
@@ -90,11 +100,8 @@ TEST_CASE("Slow frames: tags and numbers of the next shape in the options bar") 
         typedRectangle(typist);
         typist.write("s");
         typist.touch("options/source/shape/Line");
-        typeOver(typist, "options/source/size", "0.2");
-        typeOver(typist, "options/source/endsize", "0.3");
-        typist.touch("options/source/growth");
-        typist.tap('A', kControl);
-        enter(typist, "0.25");
+        typeOver(typist, {{"options/source/size", "0.2"}, {"options/source/endsize", "0.3"}});
+        replaceText(typist, "options/source/growth", "0.25");
         enter(typist, "2,3");
         enter(typist, "5,5");
         typist.finish();
@@ -112,37 +119,27 @@ TEST_CASE("Slow frames: tags and numbers of the next shape in the options bar") 
     });
     expectSame("place of the picture", [](Typist &typist) {
         static const TemporaryFolder place;
-        typedRectangle(typist);
-        typist.finish();
-        typist.editor().input().push({.kind = InputKind::Drop, .paths = {greyPicture(place).string()}});
-        typist.frames(2);
-        typist.settle();
-        chooseTool(typist, "picture");
-        typeOver(typist, "options/picture/x", "1");
-        typeOver(typist, "options/picture/y", "2");
-        typeOver(typist, "options/picture/width", "6");
-        typeOver(typist, "options/picture/angle", "10");
+        placePicture(typist, place);
+        typeOver(typist, {{"options/picture/x", "1"},
+                          {"options/picture/y", "2"},
+                          {"options/picture/width", "6"},
+                          {"options/picture/angle", "10"}});
         typist.write("v");
     });
     expectSame("calibration of the picture", [](Typist &typist) {
         static const TemporaryFolder place;
-        typedRectangle(typist);
-        typist.finish();
-        typist.editor().input().push({.kind = InputKind::Drop, .paths = {greyPicture(place).string()}});
-        typist.frames(2);
-        typist.settle();
-        chooseTool(typist, "picture");
+        placePicture(typist, place);
         typist.touch("options/picture/mode/Calibrate");
         typist.finish();
         const BackgroundPicture picture = *typist.document().picture;
         typist.clickPlace(picture.corner + Vec2{0.25 * picture.size.x, 0.5 * picture.size.y});
         typist.clickPlace(picture.corner + Vec2{0.75 * picture.size.x, 0.5 * picture.size.y});
         typist.settle();
-        typeOver(typist, "options/picture/distance", "3");
-        typeOver(typist, "options/picture/x1", "2");
-        typeOver(typist, "options/picture/y1", "3");
-        typeOver(typist, "options/picture/x2", "6");
-        typeOver(typist, "options/picture/y2", "4");
+        typeOver(typist, {{"options/picture/distance", "3"},
+                          {"options/picture/x1", "2"},
+                          {"options/picture/y1", "3"},
+                          {"options/picture/x2", "6"},
+                          {"options/picture/y2", "4"}});
         typist.write("v");
     });
     expectSame("size in the options of meshing", [](Typist &typist) {
@@ -175,17 +172,14 @@ TEST_CASE("Slow frames: steps and values of the ways to stop") {
     expectSame(
         "breakpoints",
         [](Typist &typist) {
-            typedRectangle(typist);
-            typist.write("v");
-            typist.finish();
+            selectedRectangle(typist);
             typist.workspace(WorkspaceKind::Step);
             typist.context().run.step(3);
             typist.settle();
             typist.touch("timeline/breakpoints");
             typist.finish();
-            typist.touch("breakpoints/" + std::to_string(static_cast<int>(StopKind::LowAlpha)) + "/value");
-            typist.tap('A', kControl);
-            enter(typist, "0.8");
+            replaceText(typist, "breakpoints/" + std::to_string(static_cast<int>(StopKind::LowAlpha)) + "/value",
+                        "0.8");
             typist.finish();
         },
         [](Typist &typist) { return std::to_string(typist.context().run.breakpoints().alphaBelow); });
@@ -212,12 +206,8 @@ TEST_CASE("Slow frames: fields of the file dialog") {
         [&](Typist &typist) {
             typedRectangle(typist);
             typist.tap('S', {Modifiers::kControl | Modifiers::kShift});
-            typist.touch("dialog/save/path");
-            typist.tap('A', kControl);
-            enter(typist, (place.path / "other").string());
-            typist.touch("dialog/save/name");
-            typist.tap('A', kControl);
-            enter(typist, typist.slow() ? "d" : "c");
+            replaceText(typist, "dialog/save/path", (place.path / "other").string());
+            replaceText(typist, "dialog/save/name", typist.slow() ? "d" : "c");
             typist.write("c");
         },
         [&](Typist &typist) {
@@ -229,13 +219,9 @@ TEST_CASE("Slow frames: fields of the file dialog") {
         [&](Typist &typist) {
             typedRectangle(typist);
             typist.tap('S', {Modifiers::kControl | Modifiers::kShift});
-            typist.touch("dialog/save/path");
-            typist.tap('A', kControl);
-            enter(typist, place.path.string());
+            replaceText(typist, "dialog/save/path", place.path.string());
             typist.touch("dialog/save/newfolder");
-            typist.touch("dialog/save/newfolder/name");
-            typist.tap('A', kControl);
-            enter(typist, typist.slow() ? "f" : "e");
+            replaceText(typist, "dialog/save/newfolder/name", typist.slow() ? "f" : "e");
             typist.finish();
             typist.tap(key::kEscape);
             typist.write("c");
@@ -249,11 +235,7 @@ TEST_CASE("Slow frames: films, pictures of moments and sizes from a picture") {
     expectSame(
         "film",
         [](Typist &typist) {
-            typedRectangle(typist);
-            typist.write("v");
-            typist.finish();
-            typist.context().run.mesh();
-            typist.settle();
+            meshedRectangle(typist);
             typist.context().actions.run("file.exportFilm", typist.context());
             typist.settle();
             typist.touch("dialog/film/from");
@@ -261,16 +243,11 @@ TEST_CASE("Slow frames: films, pictures of moments and sizes from a picture") {
             tabbed(typist, "2");
             tabbed(typist, "9");
             tabbed(typist, "5");
-            typeOver(typist, "dialog/film/width", "320");
-            typeOver(typist, "dialog/film/speed", "12");
+            typeOver(typist, {{"dialog/film/width", "320"}, {"dialog/film/speed", "12"}});
         },
         filmText);
     expectSame("moment", [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
-        typist.finish();
-        typist.context().run.mesh();
-        typist.settle();
+        meshedRectangle(typist);
         typist.context().actions.run("file.exportMoment", typist.context());
         typist.settle();
         typeOver(typist, "dialog/moment/width", "320");
@@ -279,9 +256,7 @@ TEST_CASE("Slow frames: films, pictures of moments and sizes from a picture") {
     });
     const TemporaryFolder place;
     expectSame("sizes of a picture", [&](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
-        typist.finish();
+        selectedRectangle(typist);
         typist.context().actions.run("file.importSpacing", typist.context());
         typist.frames(5);
         typist.chooseFile("importspacing", greyPicture(place));
@@ -289,27 +264,21 @@ TEST_CASE("Slow frames: films, pictures of moments and sizes from a picture") {
         typist.tap('A', kControl);
         tabbed(typist, "0.25");
         tabbed(typist, "0.5");
-        typeOver(typist, "dialog/picturespacing/corner/x", "1");
-        typeOver(typist, "dialog/picturespacing/corner/y", "2");
-        typeOver(typist, "dialog/picturespacing/width", "6");
+        typeOver(typist, {{"dialog/picturespacing/corner/x", "1"},
+                          {"dialog/picturespacing/corner/y", "2"},
+                          {"dialog/picturespacing/width", "6"}});
         typist.touch("dialog/picturespacing/ok");
     });
 }
 
 TEST_CASE("Slow frames: adapting, lessons, keys and pasted nodes") {
     expectSame("adapt", [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
-        typist.finish();
-        typist.context().run.mesh();
-        typist.settle();
+        meshedRectangle(typist);
         typist.showPanel("adapt");
         typist.touch("adapt/expression");
         tabbed(typist, "x*x");
-        typeOver(typist, "adapt/error", "7");
-        typeOver(typist, "adapt/rounds", "3");
-        typeOver(typist, "adapt/minimum", "0.1");
-        typeOver(typist, "adapt/maximum", "2");
+        typeOver(typist,
+                 {{"adapt/error", "7"}, {"adapt/rounds", "3"}, {"adapt/minimum", "0.1"}, {"adapt/maximum", "2"}});
         typist.write("c");
     });
     expectSame(

@@ -18,9 +18,7 @@ void showDrawn(Typist &typist, Document document, Selection selection) {
     typist.finish();
     typist.context().document.apply(std::move(document), "Draw");
     typist.settle();
-    typist.context().selection = std::move(selection);
-    typist.context().animate();
-    typist.settle();
+    selectParts(typist, std::move(selection));
 }
 
 /// Draws a polygon, and selects something of it.
@@ -33,12 +31,8 @@ void drawPolygon(Typist &typist, Selection selection) {
 
 /// Selects a side of the typed rectangle.
 void typedSide(Typist &typist) {
-    typedRectangle(typist);
-    typist.write("v");
-    typist.finish();
-    typist.context().selection = {.segments = {{1, 0}}};
-    typist.context().animate();
-    typist.settle();
+    selectedRectangle(typist);
+    selectParts(typist, {.segments = {{1, 0}}});
 }
 
 void addSource(Typist &typist, SizeSource source) {
@@ -51,11 +45,7 @@ void addSource(Typist &typist, SizeSource source) {
 
 /// The panel of the limits that meshes must meet, of a meshed rectangle.
 void judgeRectangle(Typist &typist) {
-    typedRectangle(typist);
-    typist.write("v");
-    typist.finish();
-    typist.context().run.mesh();
-    typist.settle();
+    meshedRectangle(typist);
     typist.workspace(WorkspaceKind::Judge);
     typist.settle();
 }
@@ -64,8 +54,7 @@ void judgeRectangle(Typist &typist) {
 
 TEST_CASE("Slow frames: the numbers of round shapes, slots and points in their panel") {
     expectSame("rectangle in its panel", [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
+        selectedRectangle(typist);
         typist.touch("inspector/corner/x");
         tabbed(typist, "2");
         tabbed(typist, "3");
@@ -123,8 +112,7 @@ TEST_CASE("Slow frames: the numbers of round shapes, slots and points in their p
         typist.touch("inspector/at/x");
         tabbed(typist, "4");
         enter(typist, "4.5");
-        typeOver(typist, "inspector/nodesize", "0.2");
-        typeOver(typist, "inspector/nodegrowth", "0.3");
+        typeOver(typist, {{"inspector/nodesize", "0.2"}, {"inspector/nodegrowth", "0.3"}});
         typist.write("v");
     });
 }
@@ -137,14 +125,11 @@ TEST_CASE("Slow frames: the numbers of sides and nodes in their panel") {
         typist.write("v");
     });
     expectSame("side of a rounded rectangle", [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
+        selectedRectangle(typist);
         typist.touch("inspector/cornerradius");
         enter(typist, "0.5");
         typist.finish();
-        typist.context().selection = {.segments = {{1, 0}}};
-        typist.context().animate();
-        typist.settle();
+        selectParts(typist, {.segments = {{1, 0}}});
         typist.touch("inspector/length");
         enter(typist, "7");
         typist.write("v");
@@ -189,17 +174,14 @@ TEST_CASE("Slow frames: tags and names of boundaries and regions, and their size
         typist.touch("inspector/tag/name");
         tabbed(typist, "inlet");
         typist.finish();
-        typeOver(typist, "inspector/partsize", "0.5");
-        typeOver(typist, "inspector/partgrowth", "0.4");
+        typeOver(typist, {{"inspector/partsize", "0.5"}, {"inspector/partgrowth", "0.4"}});
         typist.write("v");
     });
     expectSame("several boundaries", [](Typist &typist) {
         typedSide(typist);
         typeOver(typist, "inspector/tag", "3");
         typist.finish();
-        typist.context().selection = {.segments = {{1, 0}, {1, 1}}};
-        typist.context().animate();
-        typist.settle();
+        selectParts(typist, {.segments = {{1, 0}, {1, 1}}});
         typist.touch("inspector/tag");
         enter(typist, "5");
         typist.write("v");
@@ -214,11 +196,11 @@ TEST_CASE("Slow frames: tags and names of boundaries and regions, and their size
         typist.touch("inspector/at/x");
         tabbed(typist, "3");
         enter(typist, "3.5");
-        typeOver(typist, "inspector/tag", "4");
-        typeOver(typist, "inspector/tag/name", "resin");
-        typeOver(typist, "inspector/maxarea", "0.2");
-        typeOver(typist, "inspector/regionsize", "0.3");
-        typeOver(typist, "inspector/regiongrowth", "0.35");
+        typeOver(typist, {{"inspector/tag", "4"},
+                          {"inspector/tag/name", "resin"},
+                          {"inspector/maxarea", "0.2"},
+                          {"inspector/regionsize", "0.3"},
+                          {"inspector/regiongrowth", "0.35"}});
         typist.write("v");
     });
     expectSame("names", [](Typist &typist) {
@@ -262,9 +244,9 @@ TEST_CASE("Slow frames: sources, boundary layers and strips in their panel") {
     expectSame("growth and height of layers", [](Typist &typist) {
         typist.touch("workspace/Size");
         typedSide(typist);
-        typeOver(typist, "inspector/layers/first", "0.02");
-        typeOver(typist, "inspector/layers/growth", "1.3");
-        typeOver(typist, "inspector/layers/thickness", "0.2");
+        typeOver(typist, {{"inspector/layers/first", "0.02"},
+                          {"inspector/layers/growth", "1.3"},
+                          {"inspector/layers/thickness", "0.2"}});
         typist.write("v");
     });
 }
@@ -274,19 +256,17 @@ TEST_CASE("Slow frames: limits, curvature and number of elements of the spacing"
         typedRectangle(typist);
         typist.write("v");
         typist.showPanel("spacing");
-        typeOver(typist, "spacing/across", "3");
-        typeOver(typist, "spacing/curvetolerance", "0.01");
-        typeOver(typist, "spacing/minimum", "0.1");
-        typeOver(typist, "spacing/maximum", "0.8");
+        typeOver(typist, {{"spacing/across", "3"},
+                          {"spacing/curvetolerance", "0.01"},
+                          {"spacing/minimum", "0.1"},
+                          {"spacing/maximum", "0.8"}});
         typist.write("v");
     });
     expectSame("target", [](Typist &typist) {
         typedRectangle(typist);
         typist.write("v");
         typist.showPanel("spacing");
-        typist.touch("spacing/target");
-        typist.tap('A', kControl);
-        enter(typist, "900");
+        replaceText(typist, "spacing/target", "900");
         typist.write("c");
         typist.finish();
         CHECK(typist.document().spacing.size.has_value());
@@ -304,18 +284,14 @@ TEST_CASE("Slow frames: limits, curvature and number of elements of the spacing"
 
 TEST_CASE("Slow frames: rules of the method, limits of checks and ranges of colours") {
     expectSame("rules", [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
-        typist.finish();
+        selectedRectangle(typist);
         Document document = typist.document();
         document.options.method = Method::Classic;
         document.options.rules.base = BaseRule::Random;
         showDrawn(typist, std::move(document), {});
         typist.workspace(WorkspaceKind::Step);
         typist.showPanel("rules");
-        typeOver(typist, "rules/seed", "7");
-        typeOver(typist, "rules/minRho", "0.6");
-        typeOver(typist, "rules/maxRho", "2.5");
+        typeOver(typist, {{"rules/seed", "7"}, {"rules/minRho", "0.6"}, {"rules/maxRho", "2.5"}});
         typist.write("v");
         typist.finish();
         CHECK(typist.document().options.rules.seed == 7);
@@ -374,12 +350,8 @@ TEST_CASE("Slow frames: values of constraints, in the panel and on the canvas") 
     expectSame("value of a constraint", [&](Typist &typist) {
         constrained(typist);
         const std::uint32_t id = typist.document().constraints.front()->id;
-        typist.context().selection.constraints = {id};
-        typist.context().animate();
-        typist.settle();
-        typist.touch("inspector/constraint/" + std::to_string(id));
-        typist.tap('A', kControl);
-        enter(typist, "6");
+        selectParts(typist, {.constraints = {id}});
+        replaceText(typist, "inspector/constraint/" + std::to_string(id), "6");
         typist.write("v");
     });
     expectSame("dimension on the canvas", [&](Typist &typist) {
@@ -393,9 +365,7 @@ TEST_CASE("Slow frames: values of constraints, in the panel and on the canvas") 
         CHECK(typist.document().constraints.front()->value == 4.5);
     });
     expectSame("lengths in other units", [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
-        typist.finish();
+        selectedRectangle(typist);
         typist.context().actions.run("edit.unit", typist.context());
         typist.settle();
         typist.touch("dialog/unit/unit/mm");
@@ -413,16 +383,11 @@ TEST_CASE("Slow frames: values of constraints, in the panel and on the canvas") 
 }
 
 TEST_CASE("Slow frames: factors and angles typed while a handle is dragged") {
-    const auto chosen = [](Typist &typist) {
-        typedRectangle(typist);
-        typist.write("v");
-        typist.finish();
-    };
     const auto outside = [](Typist &typist, Vec2 place, Pixel by) {
         return typist.context().view.camera.toPlane(typist.pixel(place) + by);
     };
     expectSame("factor of a handle", [&](Typist &typist) {
-        chosen(typist);
+        selectedRectangle(typist);
         typist.grab(outside(typist, {7, 4.5}, {12, 0}), {30, 0});
         enter(typist, "1.5");
         typist.drop();
@@ -431,7 +396,7 @@ TEST_CASE("Slow frames: factors and angles typed while a handle is dragged") {
         CHECK(boundsOf(*typist.document().shapes[0]).size().x == doctest::Approx(9.0));
     });
     expectSame("angle of a handle", [&](Typist &typist) {
-        chosen(typist);
+        selectedRectangle(typist);
         typist.grab(outside(typist, {7, 7}, {26, -26}), {20, 20});
         enter(typist, "90");
         typist.drop();
@@ -441,9 +406,7 @@ TEST_CASE("Slow frames: factors and angles typed while a handle is dragged") {
     });
     expectSame("distance of a drag", [&](Typist &typist) {
         drawPolygon(typist, {});
-        typist.context().selection.shapes = {1};
-        typist.context().animate();
-        typist.settle();
+        selectParts(typist, {.shapes = {1}});
         typist.grab({6, 3}, {40, 10}); // the side, not a node
         tabbed(typist, "2");
         enter(typist, "0");

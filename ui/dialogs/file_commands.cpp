@@ -27,7 +27,6 @@
 namespace forefront {
 namespace {
 
-constexpr std::size_t kMaxRecent = 12;
 constexpr const char *kProjectExtension = ".forefront";
 
 FileFilter projects() {
@@ -275,6 +274,15 @@ void showOpened(Shell &context, const StampedDocument &read, const ImportNotes &
     rememberFile(context, file);
 }
 
+void putFirst(std::vector<std::string> &recent, const std::filesystem::path &file) {
+    constexpr std::size_t kMaxRecent = 12;
+    std::error_code ignored;
+    const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
+    std::erase(recent, name);
+    recent.insert(recent.begin(), name);
+    recent.resize(std::min(recent.size(), kMaxRecent));
+}
+
 void rememberFile(Shell &context, const std::filesystem::path &file) {
     std::error_code ignored;
     const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
@@ -287,9 +295,7 @@ void rememberFile(Shell &context, const std::filesystem::path &file) {
         context.settings.lastFile = name;
     }
     std::vector<std::string> &recent = context.settings.recentFiles;
-    std::erase(recent, name);
-    recent.insert(recent.begin(), name);
-    recent.resize(std::min(recent.size(), kMaxRecent));
+    putFirst(recent, name);
     std::erase_if(context.settings.views, [&](const auto &view) {
         return std::find(recent.begin(), recent.end(), view.first) == recent.end();
     });

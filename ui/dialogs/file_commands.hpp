@@ -101,6 +101,8 @@ void showOpened(Shell &context, const StampedDocument &read, const ImportNotes &
 void addEditActions(ActionRegistry &actions);
 /// Remembers which part of the plane is in view, for when the open file is opened again.
 void rememberView(Shell &context);
+/// Puts a file at the front of a list of recent ones, and drops the last of too many.
+void putFirst(std::vector<std::string> &recent, const std::filesystem::path &file);
 /// Adds a file to the recent files.
 void rememberFile(Shell &context, const std::filesystem::path &file);
 

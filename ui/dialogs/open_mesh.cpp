@@ -11,7 +11,6 @@
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/mesh/element_words.hpp"
 
-#include <algorithm>
 #include <future>
 #include <memory>
 #include <string>
@@ -50,20 +49,9 @@ struct OpenedMesh {
     Diagnostics notes; ///< of the reader and of the outline
 };
 
-/// Puts a mesh at the front of the recent ones.
-void rememberMesh(Shell &context, const std::filesystem::path &file) {
-    constexpr std::size_t kMaxMeshes = 12;
-    std::error_code ignored;
-    const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
-    std::vector<std::string> &recent = context.settings.recentMeshes;
-    std::erase(recent, name);
-    recent.insert(recent.begin(), name);
-    recent.resize(std::min(recent.size(), kMaxMeshes));
-}
-
 void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path &file) {
     rememberView(context);
-    rememberMesh(context, file);
+    putFirst(context.settings.recentMeshes, file);
     context.document.load(*opened.outline, {}, false, file.filename().string());
     context.selection.clear();
     context.examiner.abandon();
@@ -167,7 +155,7 @@ void compare(Shell &context, const std::filesystem::path &file, const Outcome &o
             return BackgroundTask::Finish([&context, file, other, found = notes.diagnostics()] {
                 const std::string name = file.filename().string();
                 context.sides.compareWith(name, std::move(*other));
-                rememberMesh(context, file);
+                putFirst(context.settings.recentMeshes, file);
                 context.log.add(found);
                 const Box2 ours = context.run.now().mesh ? context.run.now().mesh->mesh.bounds() : Box2();
                 if (!ours.empty() && !ours.overlaps(context.sides.mesh()->mesh().bounds())) {

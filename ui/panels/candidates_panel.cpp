@@ -24,7 +24,7 @@ struct Column {
 };
 constexpr std::array<Column, 7> kColumns{{{"", 0.06F},
                                           {"node", 0.19F},
-                                          {"\xce\xb1", 0.32F},
+                                          {"\xce\xb1", 0.335F},
                                           {"\xce\xb4(AC)", 0.46F},
                                           {"\xce\xb4(CB)", 0.60F},
                                           {"score", 0.73F},
@@ -197,7 +197,7 @@ class CandidatesPanel final : public Panel {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
         drawCells(context, at, width, titles, context.theme.muted, context.theme.muted);
-        ImGui::Dummy({width, context.px(16)});
+        ImGui::Dummy({width, context.px(20)}); // leaves room for the outline of the first row
     }
 
     static void drawRow(Shell &context, const Moment &moment, std::size_t i, bool chosen) {

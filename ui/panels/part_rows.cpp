@@ -12,6 +12,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -197,7 +198,11 @@ void PartRows::drawLine(Shell &context, std::int32_t tag, const BoundaryPart &pa
 void regionElementsRow(Shell &context, std::int32_t region) {
     const Document &document = *context.document.current();
     const std::optional<Elements> own = elementsOf(document, region);
-    static constexpr const char *kLabels[] = {"As the rest", "Triangles", "Quads", "Mixed"};
+    static const std::vector<const char *> kLabels = [] {
+        std::vector<const char *> labels{"As the rest"};
+        std::ranges::copy(ui::enumLabels<Elements>(), std::back_inserter(labels));
+        return labels;
+    }();
     int choice = own ? 1 + static_cast<int>(*own) : 0;
     form::label(context, "Elements");
     if (ui::combo(context, "inspector/elements", kLabels, choice)) {

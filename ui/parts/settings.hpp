@@ -46,11 +46,10 @@ struct Settings {
     double liveBudget = 25'000.0;      ///< see RunControl::liveBudget
     std::optional<WindowPlace> window; ///< position when the program last ended
     std::vector<std::string> recentFiles;
-    std::vector<std::string>
-        recentMeshes;                   ///< files whose meshes were shown or compared as they are, the last one first
-    bool reopens = true;                ///< open the last projects when the program starts without a file
-    std::string lastFile;               ///< absolute path of the last project opened or saved; empty: none
-    std::vector<std::string> openFiles; ///< absolute paths of the projects in the tabs, from left to right
+    std::vector<std::string> recentMeshes;  ///< files opened or compared as meshes, the last one first
+    bool reopens = true;                    ///< open the last projects when the program starts without a file
+    std::string lastFile;                   ///< absolute path of the last project opened or saved; empty: none
+    std::vector<std::string> openFiles;     ///< absolute paths of the projects in the tabs, from left to right
     std::map<std::string, SavedView> views; ///< last view of each recent file
     bool panels = true;                     ///< show the right column
     WorkspaceKind workspace = WorkspaceKind::Draw;

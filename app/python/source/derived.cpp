@@ -7,6 +7,7 @@
 #include "app/python/source/job.hpp"
 #include "app/python/source/progress_calls.hpp"
 #include "core/engine/base/cancelled.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/numbering.hpp"
 #include "core/engine/mesh/second_order.hpp"
@@ -31,14 +32,6 @@ PythonMesh derivedFrom(const PythonMesh &self, Mesh mesh) {
     return derived;
 }
 
-Diagnostic plainNote(const char *code, std::string message) {
-    Diagnostic note;
-    note.severity = Severity::Note;
-    note.code = code;
-    note.message = std::move(message);
-    return note;
-}
-
 PythonMesh recombinedMesh(const PythonMesh &self, const std::string &word, const py::object &callback) {
     const std::optional<ImproveLevel> improve = fromWord<ImproveLevel>(word);
     if (!improve) {
@@ -49,9 +42,9 @@ PythonMesh recombinedMesh(const PythonMesh &self, const std::string &word, const
     const QuadReport report = valueOrRaise(withoutGil([&] { return recombine(mesh, *improve, progress); }));
     PythonMesh result = derivedFrom(self, std::move(mesh));
     if (report.triangles > 0) {
-        result.notes.push_back(plainNote("triangles-left", countText(report.triangles, "triangle") +
-                                                               " left, where faces have odd numbers of edges, or "
-                                                               "lines that must stay meet at flat angles"));
+        result.notes.push_back(noteOf("triangles-left", countText(report.triangles, "triangle") +
+                                                            " left, where faces have odd numbers of edges, or "
+                                                            "lines that must stay meet at flat angles"));
     }
     const Diagnostics concave = notConvex(report);
     result.notes.insert(result.notes.end(), concave.begin(), concave.end());

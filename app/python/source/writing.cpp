@@ -4,6 +4,7 @@
 #include "app/python/source/faults.hpp"
 #include "app/python/source/progress_calls.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/numbering.hpp"
 #include "core/files/common/tagged_sides.hpp"
@@ -202,10 +203,7 @@ Diagnostics notesOn(const FormedMesh &formed, const Writing &how) {
     const MeshView mesh = formed.view();
     Diagnostics notes = exportNotes(how.path, mesh, how.format, how.options);
     const auto add = [&](const char *code, const std::string &message) {
-        Diagnostic note;
-        note.severity = Severity::Note;
-        note.code = code;
-        note.message = message;
+        Diagnostic note = noteOf(code, message);
         note.file = how.path.string();
         notes.push_back(std::move(note));
     };

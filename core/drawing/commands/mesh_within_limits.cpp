@@ -2,6 +2,7 @@
 
 #include "core/drawing/commands/limit_fix.hpp"
 #include "core/drawing/document/document.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 
 #include <cstddef>
@@ -14,12 +15,6 @@
 namespace forefront {
 
 namespace {
-
-Diagnostic remark(std::string code, std::string message, std::string advice = {}) {
-    Diagnostic note = error(std::move(code), std::move(message), std::move(advice)).front();
-    note.severity = Severity::Note;
-    return note;
-}
 
 std::size_t violations(const std::vector<LimitVerdict> &verdicts) {
     return std::accumulate(verdicts.begin(), verdicts.end(), std::size_t{0},
@@ -52,7 +47,7 @@ void noteWhatIsLeft(const std::vector<LimitVerdict> &verdicts, Diagnostics &rema
         if (!verdict.met() && verdict.broken > 0) {
             const bool islands = verdict.limit == MeshLimit::MinIslandArea;
             remarks.push_back(
-                remark("not-fixed",
+                noteOf("not-fixed",
                        std::string("no setting mends ") + limitInfo(verdict.limit).name + ' ' +
                            valueText(verdict.limit, verdict.bound) + " at " + countText(verdict.broken, "place"),
                        islands ? "islands belong to the outline: remove the small ones from the drawing"
@@ -90,12 +85,12 @@ Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, con
                 return outcome.faults();
             }
             best.remarks.push_back(
-                remark("not-fixed", "the fix stops before " + changes + ": " + outcome.faults().front().message));
+                noteOf("not-fixed", "the fix stops before " + changes + ": " + outcome.faults().front().message));
             break;
         }
         verdicts = judge(*outcome);
         const std::size_t before = violations(left), after = violations(verdicts);
-        best.remarks.push_back(remark(
+        best.remarks.push_back(noteOf(
             "fixed", "fix: " + changes + ": " + std::to_string(before) + " violations, then " + std::to_string(after) +
                          ", " + std::to_string(best.outcome.mesh.elementCount()) + " elements, then " +
                          std::to_string(outcome->mesh.elementCount()) + (after < before ? "" : "; not kept")));

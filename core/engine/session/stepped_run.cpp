@@ -2,6 +2,7 @@
 
 #include "core/engine/base/assert.hpp"
 #include "core/engine/base/cancelled.hpp"
+#include "core/engine/base/cpu_clock.hpp"
 #include "core/engine/pipeline/stages.hpp"
 
 #include <utility>
@@ -55,10 +56,11 @@ Status SteppedRun::improve(const Progress &progress) {
         record = stepsImprovement_ ? recordFor(state.triangles) : std::nullopt;
         state.watch = record ? &*record : nullptr;
     }
+    CpuClock clock;
     if (Status faults = runStages(stagesAfterFront(), state, progress); !faults.empty()) {
         return faults;
     }
-    secondsImprove_ = state.improvement.seconds;
+    secondsImprove_ = quads_ ? clock.lap() : state.improvement.seconds; // the clean-up of quadrilaterals has no report
     final_ = takeFinished(state, number_);
     if (stepsImprovement_) {
         quads_ ? takeQuadSteps() : takeSteps(std::move(record));

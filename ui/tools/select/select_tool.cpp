@@ -26,17 +26,21 @@ CursorShape SelectTool::cursor() const {
     return grabs && mode_ != Mode::Boxing ? CursorShape::Hand : CursorShape::Arrow;
 }
 
-void SelectTool::deactivate(Shell &context) {
-    guide_.cancel(context);
+void SelectTool::endDrag() {
     mode_ = Mode::Idle;
-    over_ = false;
-    pointAtFace(context);
     transform_.end();
     start_.reset();
     startIndex_.reset();
     startJoints_.reset();
     startConstraints_.reset();
     aloneConstraints_.reset();
+}
+
+void SelectTool::deactivate(Shell &context) {
+    guide_.cancel(context);
+    over_ = false;
+    endDrag();
+    pointAtFace(context);
 }
 
 namespace {
@@ -291,14 +295,8 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
             context.selection.segments.insert(grabbed_.segment->ref);
         }
     }
-    transform_.end();
     clicked_ = moved ? kNoIndex : grabbed_.shape;
-    mode_ = Mode::Idle;
-    start_.reset();
-    startIndex_.reset();
-    startJoints_.reset();
-    startConstraints_.reset();
-    aloneConstraints_.reset();
+    endDrag();
     hover_ = hitAt(event.place, context);
 }
 

@@ -106,6 +106,8 @@ class SelectTool final : public Tool {
     void insertAt(const Hit &hit, Shell &context);
     void nudge(Vec2 direction, bool far, bool repeated, Shell &context);
     Result<Document> moved(Vec2 to) const;
+    /// Drops what was kept for a drag.
+    void endDrag();
     /// Applies the constraints of the document where the drag began to a step of it.
     Document constrained(const Document &moved);
     /// Returns true if what is dragged takes along what is joined with it.

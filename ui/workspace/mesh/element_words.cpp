@@ -35,7 +35,8 @@ std::string elementsInShort(const MeshQuality &quality) {
     const bool others = std::any_of(kElementKinds.begin(), kElementKinds.end(), [&quality](CellKind kind) {
         return traitsOf(kind).corners != 3 && quality.kinds[static_cast<std::size_t>(kind)] > 0;
     });
-    return ui::count(quality.elements) + (others ? " elements" : " \xe2\x96\xb3");
+    const char *const noun = quality.elements == 1 ? " element" : " elements";
+    return ui::count(quality.elements) + (others ? noun : " \xe2\x96\xb3");
 }
 
 } // namespace forefront

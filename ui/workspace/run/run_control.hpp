@@ -173,7 +173,7 @@ class RunControl final : public BackgroundActivity {
     bool replaceable(const SessionSnapshot &newest, bool gestureOver) const;
     bool needsFullMesh() const;
     bool startIfNeeded();
-    /// Prepares a move along the timeline, for which it starts a run if there is none. Returns false if it is refused.
+    /// Starts a run for a move along the timeline if there is none.
     void beginMove();
     void log(const SessionSnapshot &snapshot);
     void logLive(bool faulty);
