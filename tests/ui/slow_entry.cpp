@@ -1,5 +1,7 @@
 #include "tests/ui/slow_entry.hpp"
 
+#include "ui/widgets/parse_number.hpp"
+
 #include <doctest/doctest.h>
 
 #include <array>
@@ -13,12 +15,6 @@ namespace forefront::test {
 
 namespace {
 
-/// Returns a text without the spaces around it.
-std::string trimmed(const std::string &text) {
-    const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
-    return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
-
 /// Returns the fields of each case that entry_fields.txt lists.
 std::map<std::string, std::vector<std::string>> readEntryFields() {
     std::ifstream list(std::string(FOREFRONT_SOURCE_DIR) + "/tests/ui/entry_fields.txt");
@@ -27,8 +23,9 @@ std::map<std::string, std::vector<std::string>> readEntryFields() {
         std::istringstream row(line);
         std::array<std::string, 4> columns; // the source, the call, the field and the case
         for (std::string &column : columns) {
-            std::getline(row, column, '|');
-            column = trimmed(column);
+            std::string padded;
+            std::getline(row, padded, '|');
+            column = trimmed(padded);
         }
         if (!line.starts_with('#') && !columns[2].empty()) {
             fields[columns[3]].push_back(columns[2]);

@@ -22,13 +22,26 @@ struct Column {
     const char *title;
     float end;
 };
-constexpr std::array<Column, 7> kColumns{{{"", 0.06F},
-                                          {"node", 0.19F},
-                                          {"\xce\xb1", 0.335F},
-                                          {"\xce\xb4(AC)", 0.46F},
-                                          {"\xce\xb4(CB)", 0.60F},
-                                          {"score", 0.73F},
-                                          {"verdict", 1.0F}}};
+using Columns = std::array<Column, 7>;
+constexpr Columns kColumns{{{"", 0.06F},
+                            {"node", 0.19F},
+                            {"\xce\xb1", 0.32F},
+                            {"\xce\xb4(AC)", 0.46F},
+                            {"\xce\xb4(CB)", 0.60F},
+                            {"score", 0.73F},
+                            {"verdict", 1.0F}}};
+/// Those of the two-coloured front: the shape is not α but how near a candidate is to a square, or to half of one.
+constexpr Columns kSquareColumns{{{"", 0.06F},
+                                  {"node", 0.19F},
+                                  {"shape", 0.345F},
+                                  {"\xce\xb4", 0.47F},
+                                  {"\xce\xb4", 0.60F},
+                                  {"score", 0.73F},
+                                  {"verdict", 1.0F}}};
+
+const Columns &columnsOf(const AdvanceExplanation &e) {
+    return e.coloured ? kSquareColumns : kColumns;
+}
 
 const char *shortVerdict(Verdict verdict) {
     switch (verdict) {
@@ -161,7 +174,7 @@ class CandidatesPanel final : public Panel {
         const std::optional<std::size_t> chosen = chosenCandidate(context.view, context.run.now());
         ImGui::PushFont(context.fonts.small);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-        drawTitles(context, moment.advance->coloured);
+        drawTitles(context, columnsOf(*moment.advance));
         for (std::size_t i = 0; i < moment.candidates; ++i) {
             drawRow(context, moment, i, chosen == i);
         }
@@ -176,27 +189,23 @@ class CandidatesPanel final : public Panel {
     }
 
   private:
-    static void drawCells(WidgetContext &context, ImVec2 at, float width,
+    static void drawCells(WidgetContext &context, ImVec2 at, float width, const Columns &columns,
                           const std::array<std::string, kColumns.size()> &texts, Colour colour, Colour last) {
         ImDrawList &list = *ImGui::GetWindowDrawList();
-        for (std::size_t i = 0; i < kColumns.size(); ++i) {
-            const bool isVerdict = i + 1 == kColumns.size();
-            const float x = isVerdict ? at.x + kColumns[i - 1].end * width + context.px(8)
-                                      : at.x + kColumns[i].end * width - ImGui::CalcTextSize(texts[i].c_str()).x;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const bool isVerdict = i + 1 == columns.size();
+            const float x = isVerdict ? at.x + columns[i - 1].end * width + context.px(8)
+                                      : at.x + columns[i].end * width - ImGui::CalcTextSize(texts[i].c_str()).x;
             list.AddText({x, at.y}, isVerdict ? last : colour, texts[i].c_str());
         }
     }
 
-    /// `quads`: the shape is not α but how near a candidate is to a square, or to half of one.
-    static void drawTitles(WidgetContext &context, bool quads) {
-        constexpr std::size_t kShape = 2;
+    static void drawTitles(WidgetContext &context, const Columns &columns) {
         std::array<std::string, kColumns.size()> titles;
-        for (std::size_t i = 0; i < kColumns.size(); ++i) {
-            titles[i] = quads && i == kShape ? "shape" : kColumns[i].title;
-        }
+        std::ranges::transform(columns, titles.begin(), &Column::title);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
-        drawCells(context, at, width, titles, context.theme.muted, context.theme.muted);
+        drawCells(context, at, width, columns, titles, context.theme.muted, context.theme.muted);
         ImGui::Dummy({width, context.px(20)}); // leaves room for the outline of the first row
     }
 
@@ -232,6 +241,7 @@ class CandidatesPanel final : public Panel {
                                : c.verdict == Verdict::Accepted ? theme.accepted
                                                                 : theme.bad;
         drawCells(context, {at.x, std::round(at.y + 0.5F * (height - ImGui::GetFontSize()))}, width,
+                  columnsOf(*moment.advance),
                   {std::to_string(i + 1), nodeText(c), known(c.alpha, 3), known(c.deltaAC, 2), known(c.deltaCB, 2),
                    known(c.score, 3), judged ? shortVerdict(c.verdict) : "\xe2\x80\x93"},
                   theme.text, verdict);

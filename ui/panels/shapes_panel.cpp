@@ -5,6 +5,7 @@
 #include "ui/panels/shape_tree.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/style/icons.hpp"
+#include "ui/widgets/shortened.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -282,25 +283,29 @@ void ShapesPanel::drawRow(Shell &context, const Document &document, std::size_t 
 }
 
 void ShapesPanel::drawText(Shell &context, const Document &document, const TreeRow &row, ImVec2 at, float width) const {
-    ImDrawList &list = *ImGui::GetWindowDrawList();
     const Theme &theme = context.theme;
     const bool faint = row.kind == RowKind::Shape && document.shapes[row.index]->hidden;
     ImFont *const font = row.isGroup() ? context.fonts.heading : context.fonts.body;
     const float gap = context.px(6);
+    const std::string title = rowTitle(document, row);
+    ImGui::PushFont(font);
+    const float left = width - ImGui::CalcTextSize(title.c_str()).x - 2.0F * gap; // beside the title
+    ImGui::PopFont();
     ImGui::PushFont(context.fonts.small);
-    const std::string detail = ui::oneLine(rowDetail(document, row), 0.6F * width);
+    const std::string detail = ui::oneLine(rowDetail(document, row), std::clamp(left, 0.3F * width, 0.6F * width));
     const float room = detail.empty() ? 0.0F : ImGui::CalcTextSize(detail.c_str()).x + gap;
     const float small = ImGui::GetFontSize();
     ImGui::PopFont();
     ImGui::PushFont(font);
     const float y = at.y + (context.px(kRow) - ImGui::GetFontSize()) / 2;
-    const std::string title = rowTitle(document, row);
-    list.PushClipRect({at.x, at.y}, {at.x + std::max(0.0F, width - room - gap), at.y + context.px(kRow)}, true);
-    list.AddText({at.x, y}, faint ? theme.faint : row.isGroup() ? theme.muted : theme.text, title.c_str());
-    list.PopClipRect();
+    ui::shortened(context, Pixel(at.x, y), at.x + width - room - gap, title,
+                  faint           ? theme.faint
+                  : row.isGroup() ? theme.muted
+                                  : theme.text);
     ImGui::PopFont();
-    list.AddText(context.fonts.small, small, {at.x + width - room, at.y + (context.px(kRow) - small) / 2},
-                 faint ? theme.faint : theme.muted, detail.c_str());
+    ImGui::GetWindowDrawList()->AddText(context.fonts.small, small,
+                                        {at.x + width - room, at.y + (context.px(kRow) - small) / 2},
+                                        faint ? theme.faint : theme.muted, detail.c_str());
 }
 
 /// Draws the switches for visibility and lock; those that are off only faintly, unless the pointer is over the row.

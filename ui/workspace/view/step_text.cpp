@@ -23,11 +23,16 @@ constexpr std::array<const char *, kStepCount> kShort{
 };
 
 constexpr std::array<const char *, kStepCount> kShortOfSquares{
-    "Boundary in two colours: \xce\x93", "Take a diagonal, else leg AB",
-    "Evaluate \xcf\x81 at AB",           "Place corners of a square",
-    "Propose a square, or search",       "Score \xc2\xbd square \xc2\xb7 \xce\xb4 \xc2\xb7 \xce\xb4",
-    "Sort; drop one colour, too near",   "Test new sides against \xce\x93",
-    "Store the square, update \xce\x93", "\xce\x93 = \xe2\x88\x85: drop diagonals",
+    "Boundary in two colours: \xce\x93",
+    "Take a diagonal, else leg AB",
+    "Evaluate \xcf\x81 at AB",
+    "Place corners of a square",
+    "Square, else search",
+    "Score \xc2\xbd square \xc2\xb7 \xce\xb4 \xc2\xb7 \xce\xb4",
+    "Sort; drop one colour, too near",
+    "Test new sides against \xce\x93",
+    "Store the square, update \xce\x93",
+    "\xce\x93 = \xe2\x88\x85: drop diagonals",
 };
 
 /// Returns the candidate whose score is shown: the accepted one once it is known, else the one scored last.
