@@ -1,5 +1,6 @@
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/timeline.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/pipeline/quad_start.hpp"
@@ -16,6 +17,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +35,19 @@ std::vector<Vec2> discOutline(unsigned count, double radius) {
     return nodes;
 }
 
+/// A wheel with five teeth of six nodes each, on the circles of radius 1, 1.24 and 1.4.
+std::vector<Vec2> gearOutline() {
+    std::vector<Vec2> nodes;
+    for (unsigned tooth = 0; tooth < 5; ++tooth) {
+        for (const auto &[part, radius] : {std::pair{-0.25, 1.0}, std::pair{-0.15, 1.24}, std::pair{-0.05, 1.4},
+                                           std::pair{0.05, 1.4}, std::pair{0.15, 1.24}, std::pair{0.25, 1.0}}) {
+            const double angle = 2.0 * std::numbers::pi * (tooth + part) / 5.0;
+            nodes.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+        }
+    }
+    return nodes;
+}
+
 MeshingJob steppedQuads(const std::vector<Vec2> &outline, const std::string &spacing) {
     MeshingJob job;
     addLoop(job.domain, outline);
@@ -41,7 +56,8 @@ MeshingJob steppedQuads(const std::vector<Vec2> &outline, const std::string &spa
     return job;
 }
 
-/// Jobs whose fronts differ: a lattice, rows to the end, a graded spacing, two regions, kept odd edges, mixed elements.
+/// Jobs whose fronts differ: a lattice, rows to the end, a graded spacing, two regions, kept odd edges, squares whose
+/// second half is refused, mixed elements.
 std::map<std::string, MeshingJob> steppedJobs() {
     std::map<std::string, MeshingJob> jobs;
     jobs["disc"] = steppedQuads(discOutline(60, 1.0), "0.1");
@@ -53,6 +69,9 @@ std::map<std::string, MeshingJob> steppedJobs() {
     MeshingJob kept = steppedQuads(discOutline(31, 1.0), "0.2");
     kept.options.keepBoundary = true;
     jobs["kept"] = kept;
+    MeshingJob gear = steppedQuads(gearOutline(), "0.08");
+    gear.options.keepBoundary = true;
+    jobs["gear"] = gear;
     MeshingJob mixed = steppedQuads({{0, 0}, {3, 0.2}, {2.5, 2}, {1, 1.2}}, "0.15");
     mixed.options.elements = Elements::Mixed;
     jobs["mixed"] = mixed;
@@ -255,6 +274,101 @@ TEST_CASE("Quads stepped: the front shows whole squares, and halves until their 
         CHECK(triangles < 20);
     }
     CHECK(halves > 100);
+}
+
+TEST_CASE("Quads stepped: a half stays of a square whose second half is refused, counted and told") {
+    const MeshingJob job = steppedJobs()["gear"];
+    std::shared_ptr<const ColouredBoundary> boundary;
+    MeshStepper stepper = quadStepper(job);
+    std::size_t kept = 0;
+    while (stepper.advance() == 1) {
+        const std::shared_ptr<const AdvanceExplanation> told = stepper.explanation();
+        const bool refused = std::ranges::any_of(told->candidates, [](const CandidateTrace &candidate) {
+            return candidate.square == SquareKind::Closing && candidate.verdict == Verdict::CrossesFront;
+        });
+        const CandidateTrace &last = told->candidates.back();
+        if (refused && told->searchRadius == 0.0 && last.verdict == Verdict::Accepted) { // it was not searched for
+            ++kept;
+            const std::string words = caption(*told, told->events.size());
+            CAPTURE(words);
+            CHECK(words.find("half a square, with node ") != std::string::npos);
+            CHECK(words.find("the square that closes the gap refused: crosses the front") != std::string::npos);
+            CHECK(last.position == told->apex);
+        }
+    }
+    CHECK(kept > 0);
+    const std::unique_ptr<ColouredMesher> mesher = colouredMesher(job, rowsOfFront(false), boundary);
+    static_cast<void>(mesher->advance(1'000'000, nullptr));
+    const ColouredWork &work = mesher->squares();
+    const std::uint64_t squares = work.rows + work.openings + work.closings;
+    CHECK(2 * squares + work.searched + work.forced == mesher->state().elements.size());
+}
+
+TEST_CASE("Quads stepped: the figures of a position are those of its mesh, or none") {
+    MeshStepper stepper = quadStepper(steppedJobs()["disc"]);
+    for (const std::uint64_t position : {1, 2, 30, 60}) {
+        stepper.seek(position);
+        const std::shared_ptr<const SessionSnapshot> bare = stepper.snapshot({.mesh = false});
+        CHECK(bare->quality.alphaMean == 0.0);
+        CHECK(bare->quality.elements == 0);
+        const std::shared_ptr<const SessionSnapshot> whole = stepper.snapshot();
+        const MeshQuality expected = measureQuality(stepper.mesh(), whole->spacing.get());
+        CHECK(whole->quality.elements == expected.elements);
+        CHECK(whole->quality.alphaMin == expected.alphaMin);
+        CHECK(whole->quality.alphaMean == expected.alphaMean);
+        CHECK(whole->quality.nodes == bare->quality.nodes);
+    }
+}
+
+TEST_CASE("Quads stepped: the advance that made a place names no diagonal and no number of a half") {
+    MeshStepper stepper = quadStepper(steppedJobs()["corner"]);
+    REQUIRE(stepper.finish());
+    const std::uint64_t known = stepper.known();
+    stepper.seek(known);
+    const Mesh mesh = stepper.mesh();
+    std::size_t sides = 0;
+    for (double x = 0.05; x < 1.0; x += 0.07) {
+        for (double y = 0.05; y < 2.0; y += 0.07) {
+            stepper.seek(known);
+            const std::optional<Birth> birth = stepper.seekBirth({x, y}, 0.012);
+            REQUIRE(birth);
+            CHECK(birth->element == kNoElement);
+            if (birth->kind != Birth::Kind::Edge) {
+                continue;
+            }
+            const MeshView view(mesh);
+            bool side = false;
+            for (std::size_t e = 0; e < view.elementCount(); ++e) {
+                const std::span<const NodeId> nodes = view.cornersOf(e);
+                for (std::size_t k = 0; k < nodes.size(); ++k) {
+                    const NodeId p = nodes[k], q = nodes[(k + 1) % nodes.size()];
+                    side = side || (p == birth->a && q == birth->b) || (p == birth->b && q == birth->a);
+                }
+            }
+            CHECK(side);
+            ++sides;
+        }
+    }
+    CHECK(sides > 5);
+}
+
+TEST_CASE("Quads stepped: a caption tells a join of triangles only where there was one") {
+    ImproveStep step;
+    step.change = ImproveChange::Walk;
+    step.quads = true;
+    step.number = 2;
+    step.elements.resize(3);
+    step.removedEdges.resize(2);
+    step.addedEdges.resize(2);
+    CHECK(caption(step, 9).find("triangle moved through 2 elements, where its way ends") != std::string::npos);
+    step.removedEdges.resize(3);
+    CHECK(caption(step, 9).find("two triangles joined through the 2 elements between them") != std::string::npos);
+    step.removedEdges.resize(5);
+    CHECK(caption(step, 9).find("3 pairs of triangles joined through the elements between them") != std::string::npos);
+    step.elements.resize(1);
+    step.addedEdges.clear();
+    step.removedEdges.resize(1);
+    CHECK(caption(step, 9).find("two neighbouring triangles joined") != std::string::npos);
 }
 
 TEST_CASE("Quads stepped: the steps of the clean-up lead forward and back to the same meshes") {

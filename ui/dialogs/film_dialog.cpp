@@ -182,8 +182,7 @@ std::vector<FileFilter> filmFilters() {
 } // namespace
 
 void exportFilm(Shell &context) {
-    if (context.run.makesQuads()) {
-        context.log.refuse("Films show a front of triangles; set Elements to Triangles in the panel Meshing");
+    if (film_fields::refusesQuads(context, "a film")) {
         return;
     }
     FileRequest request = film_fields::exportRequest(context, "film", "Export film", ".gif");

@@ -1,5 +1,6 @@
 #include "ui/dialogs/film_fields.hpp"
 
+#include "core/teaching/moment/triangles_only.hpp"
 #include "ui/parts/shell.hpp"
 
 #include <imgui.h>
@@ -16,6 +17,15 @@ void number(Workspace &context, const std::string &field, double &value, double 
     if (ui::inputNumber(context, field, entered, 70.0F) && ui::checkRange(context, field, entered, minimum, maximum)) {
         value = entered;
     }
+}
+
+bool refusesQuads(Shell &context, const std::string &what) {
+    Diagnostics refusal = refusalOfQuads(context.document.current()->options, what);
+    for (Diagnostic &fault : refusal) {
+        fault.severity = Severity::Warning; // as MessageLog::refuse() has it
+    }
+    context.log.add(refusal);
+    return !refusal.empty();
 }
 
 FileRequest exportRequest(const Shell &context, std::string id, std::string title, const std::string &ending) {

@@ -81,10 +81,7 @@ void exportMoment(Shell &context) {
         context.log.refuse("There is no run to show; mesh the drawing first");
         return;
     }
-    if (context.run.makesQuads()) {
-        context.log.refuse(
-            "Pictures of moments show a front of triangles; export a picture of the mesh, or set Elements "
-            "to Triangles in the panel Meshing");
+    if (film_fields::refusesQuads(context, "a picture of a moment")) {
         return;
     }
     FileRequest request = film_fields::exportRequest(context, "moment", "Export picture of the moment",

@@ -224,7 +224,8 @@ std::string birthText(const Birth &birth, const SessionSnapshot &run) {
     case Birth::Kind::Edge:
         return "This advance made the first element at edge " + a + "-" + std::to_string(index(birth.b)) + ". ";
     case Birth::Kind::Triangle:
-        return "This advance made element " + std::to_string(index(birth.element)) + ". ";
+        return birth.element == kNoElement ? "This advance meshed this place. "
+                                           : "This advance made element " + std::to_string(index(birth.element)) + ". ";
     }
     return {};
 }

@@ -59,6 +59,15 @@ class GenerationFront {
     std::size_t capacity() const { return slots_.size(); }
     /// Returns the number of slots in use: one for each segment and each isolated point.
     std::size_t slots() const { return slots_.size() - free_.size(); }
+    /// Calls visit(id) for each slot in use, by id.
+    template <class Visit>
+    void forEachSlot(Visit visit) const {
+        for (std::uint32_t i = 0; i < slots_.size(); ++i) {
+            if (slots_[i].alive) {
+                visit(SlotId{i});
+            }
+        }
+    }
     std::uint32_t nextSerial() const { return nextSerial_; }
     /// Returns the memory in use, in bytes.
     std::size_t bytes() const { return slots_.capacity() * sizeof(FrontSlot) + free_.capacity() * sizeof(SlotId); }

@@ -35,10 +35,18 @@ std::string refusedText(const ImproveStep &step) {
 }
 
 std::string walkText(const ImproveStep &step) {
-    // Each element between the two triangles gives one, and the last two make one.
-    return step.elements.size() < 2 ? "two neighbouring triangles joined"
-                                    : "two triangles joined through the " +
-                                          numberOf(step.elements.size() - 1, "element", "elements") + " between them";
+    // Elements between two triangles are divided anew, which leaves the number of edges; each join takes one away.
+    const std::size_t joined = step.removedEdges.size() - step.addedEdges.size();
+    const std::size_t passed = step.elements.empty() ? 0 : step.elements.size() - 1;
+    if (joined == 0) {
+        return "triangle moved through " + numberOf(passed, "element", "elements") + ", where its way ends";
+    }
+    if (joined > 1) {
+        return std::to_string(joined) + " pairs of triangles joined through the elements between them";
+    }
+    return passed == 0
+               ? "two neighbouring triangles joined"
+               : "two triangles joined through the " + numberOf(passed, "element", "elements") + " between them";
 }
 
 std::string changeText(const ImproveStep &step) {

@@ -28,7 +28,7 @@ enum class ImproveChange : std::uint8_t {
     Renumber,    ///< nodes and elements get other numbers; nothing changes in the plane
     // Of quadrilaterals.
     Pair,      ///< the last triangles of the front are joined, once it is closed
-    Walk,      ///< two triangles left over become quadrilaterals with those between them
+    Walk,      ///< a triangle left over moves to another and is joined to it, unless its way ends before
     Collapse,  ///< two opposite corners of an element become one node
     Rotate,    ///< an edge between two elements joins the next corners instead
     Split,     ///< a node becomes two, with a new element between them

@@ -5,6 +5,7 @@
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/clearance.hpp"
 #include "core/engine/mesher/instantiate.hpp"
+#include "core/engine/mesher/side_tests.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -227,59 +228,16 @@ double ApexSearch<Grid, Trace>::score(const Base &base, Vec2 p) const {
 /// element by more than rounding can explain.
 template <class Grid, class Trace>
 Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candidate, bool flat) {
-    const GenerationFront &front = state_.front;
     if (flat ? orientation(base.a, base.b, candidate.position) <= 0
              : isFlat(base.a, base.b, candidate.position, kAvoidedFlatness) ||
                    shapeFactor(base.a, base.b, candidate.position) < slack_) {
         return Verdict::NotLeft;
     }
-    if (!anglesAllow(base, candidate)) {
-        return Verdict::OutsideAngle;
-    }
-    const bool known = candidate.slot != kNoSlot;
-    const bool existsAC = known && front.prev(base.slotA) == candidate.slot;
-    const bool existsCB = known && front.next(base.slotB) == candidate.slot;
-    if ((!existsAC && crosses(base, base.a, base.nodeA, candidate)) ||
-        (!existsCB && crosses(base, base.b, base.nodeB, candidate))) {
-        return Verdict::CrossesFront;
+    const Verdict sides = testSides(state_.front, neighbours_, base, candidate, trace_, work_);
+    if (sides != Verdict::Accepted) {
+        return sides;
     }
     return containsNode(base, candidate, flat) ? Verdict::ContainsNode : Verdict::Accepted;
-}
-
-/// Returns true if AC and CB leave A, B and C on the unmeshed side. A side that is already a segment of Γ needs no
-/// test.
-template <class Grid, class Trace>
-bool ApexSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &candidate) const {
-    const GenerationFront &front = state_.front;
-    const bool known = candidate.slot != kNoSlot;
-    if (!(known && front.prev(base.slotA) == candidate.slot) &&
-        !(front.insideAngle(base.slotA, candidate.position) && (!known || front.insideAngle(candidate.slot, base.a)))) {
-        return false;
-    }
-    return (known && front.next(base.slotB) == candidate.slot) ||
-           (front.insideAngle(base.slotB, candidate.position) && (!known || front.insideAngle(candidate.slot, base.b)));
-}
-
-/// Returns true if a candidate segment meets a segment of Γ. Segments that share an end with it are skipped: the angle
-/// tests have dealt with them.
-template <class Grid, class Trace>
-bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to) {
-    work_.considered += static_cast<std::uint32_t>(neighbours_.size()) - 1U; // without AB, which is among them
-    const Box2 box = boxOf(from, to.position);
-    for (const Neighbour &n : neighbours_) {
-        const bool sharesEnd = n.nodeA == fromNode || n.nodeB == fromNode || n.nodeA == to.node || n.nodeB == to.node;
-        if (n.slot == base.slotA || sharesEnd || !box.overlaps(boxOf(n.a, n.b))) {
-            continue;
-        }
-        ++work_.tested;
-        const bool meets = segmentsMeet(from, to.position, n.a, n.b);
-        trace_.testSegment(from, to.position, n.a, n.b, meets);
-        if (meets) {
-            trace_.block(n.a, n.b);
-            return true;
-        }
-    }
-    return false;
 }
 
 /// Returns true if p lies on the segment ab within rounding, or within its slack. Nodes that are on a line by

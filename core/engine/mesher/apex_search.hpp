@@ -44,6 +44,13 @@ struct Candidate {
     SlotId slot; ///< kNoSlot: the ideal point
 };
 
+/// A segment AB of Γ that a search has found near its base, or an isolated point (A = B).
+struct NearSegment {
+    SlotId slot;
+    NodeId nodeA, nodeB;
+    Vec2 a, b;
+};
+
 /// The work of the searches in one advance.
 struct SearchWork {
     std::uint32_t delivered = 0, considered = 0, tested = 0, cells = 0, candidates = 0, rejected = 0;
@@ -98,11 +105,7 @@ class ApexSearch {
     SearchWork &work() { return work_; }
 
   private:
-    struct Neighbour {
-        SlotId slot;
-        NodeId nodeA, nodeB;
-        Vec2 a, b;
-    };
+    using Neighbour = NearSegment;
 
     void gather(const Box2 &box);
     void rank(const Base &base, const Limits &limits);
@@ -111,8 +114,6 @@ class ApexSearch {
     double score(const Base &base, Vec2 p) const;
     bool seenAll(const Base &base) const;
     Verdict test(const Base &base, const Candidate &candidate, bool flat);
-    bool anglesAllow(const Base &base, const Candidate &candidate) const;
-    bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to);
     bool beside(Vec2 a, Vec2 b, Vec2 p) const;
     bool containsNode(const Base &base, const Candidate &candidate, bool flat);
 

@@ -75,7 +75,7 @@ class GridMesher final : public Mesher {
     }
 
     void restore(const Checkpoint &checkpoint, const MadeSoFar &made) override {
-        forEachSlot([this](SlotId id) { grid_.remove(state_.front, id); });
+        state_.front.forEachSlot([this](SlotId id) { grid_.remove(state_.front, id); });
         restoreState(checkpoint, made);
         if constexpr (std::is_same_v<Advancer<Grid, NoTrace>, ClassicAdvancer<Grid, NoTrace>>) {
             state_.order.rebuild(state_.front);
@@ -85,15 +85,7 @@ class GridMesher final : public Mesher {
 
   private:
     void insertFront() {
-        forEachSlot([this](SlotId id) { grid_.insert(state_.front, id); });
-    }
-    template <class Visit>
-    void forEachSlot(Visit visit) {
-        for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
-            if (state_.front[SlotId{i}].alive) {
-                visit(SlotId{i});
-            }
-        }
+        state_.front.forEachSlot([this](SlotId id) { grid_.insert(state_.front, id); });
     }
 
     Grid grid_;

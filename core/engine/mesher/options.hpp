@@ -91,6 +91,11 @@ struct MeshingOptions {
     friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
 };
 
+/// Returns true if a run with these options makes quadrilaterals, by the two-coloured front.
+inline bool makesQuads(const MeshingOptions &options) {
+    return options.elements != Elements::Triangles;
+}
+
 /// The complete input of a meshing run.
 ///
 /// Exceptions: functions that take a job throw what its size function and their Progress throw, and nothing else; they

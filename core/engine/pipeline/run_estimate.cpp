@@ -61,7 +61,7 @@ Result<RunEstimate> estimateRun(const MeshingJob &job, const Progress &progress)
         return each.faults();
     }
     const auto inLayers = prepared->layers ? static_cast<double>(prepared->layers->cells.size()) : 0.0;
-    const bool quads = job.options.elements != Elements::Triangles;
+    const bool quads = makesQuads(job.options);
     const double triangles = std::max(0.0, prepared->estimatedElements - inLayers);
     const double free = triangles / (quads ? kTrianglesPerQuad : 1.0);
     estimate.elements = std::max(1.0, std::round(free + inLayers));

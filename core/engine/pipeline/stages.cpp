@@ -24,10 +24,7 @@ std::span<const Stage> stagesOfPlan() {
 namespace {
 
 bool makesTriangles(const MeshingOptions &options) {
-    return options.elements == Elements::Triangles;
-}
-bool makesQuads(const MeshingOptions &options) {
-    return !makesTriangles(options);
+    return !makesQuads(options);
 }
 bool improvesTriangles(const MeshingOptions &options) {
     return makesTriangles(options) && options.improve != ImproveLevel::None;

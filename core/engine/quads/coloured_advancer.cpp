@@ -1,10 +1,9 @@
 #include "core/engine/quads/coloured_advancer.hpp"
 
-#include "core/engine/geometry/predicates.hpp"
 #include "core/engine/quads/quad_cell.hpp"
+#include "core/engine/quads/square_places.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -14,25 +13,15 @@ namespace forefront {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kRowCorner = 125.0 * kDegree;     ///< wider corners of Γ do not continue a row
 constexpr double kSharpCorner = 55.0 * kDegree;    ///< sharper ones are closed by a search
-constexpr double kMinBeside = 69.0 * kDegree;      ///< minimum free angle at the ends of a corner that continues a row
 constexpr double kClosingCorner = 126.0 * kDegree; ///< maximum angle at both ends of the base of a closing square
 // Minimum and maximum length of a closing segment, in ρ.
 constexpr double kMinClosing = 0.5, kMaxClosingLeg = 1.55;
-// Minimum and maximum ratio of a side of a new square to the opposite side; more where a row opens.
-constexpr double kMinToOpposite = 0.6, kMaxToOpposite = 1.6, kMaxOpening = 1.7;
-// Minimum and maximum ratio of a side to what it was to be.
-constexpr double kShortestSide = 0.55, kLongestSide = 1.5;
 /// Minimum distance of new nodes of squares from others, in sides; FanBuilder keeps 0.8 sizes.
 constexpr double kSquareClearance = 0.62 / 0.8;
 // Search radii in ρ: the first, and the one after a deferral.
 constexpr double kFirstRadius = 1.75, kSecondRadius = 2.5;
 constexpr std::uint32_t kDeferredLayers = 2; ///< rows that a leg waits for once no apex was found
-
-bool positive(Vec2 a, Vec2 b, Vec2 c) {
-    return orientation(a, b, c) > 0;
-}
 
 } // namespace
 
@@ -40,19 +29,13 @@ template <class Grid, class Trace>
 void ColouredAdvancer<Grid, Trace>::prepare(FrontState &state, ColouredState &coloured, const SpacingField &spacing) {
     GenerationFront &front = state.front;
     coloured.opposite.assign(front.capacity(), kNoNode);
-    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
-        const SlotId id{i};
-        if (front[id].alive) {
-            front.setRho(id, spacing.at(front.start(id)));
-        }
-    }
-    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
-        const SlotId id{i};
-        if (front[id].alive && !front.isolated(id)) {
+    front.forEachSlot([&](SlotId id) { front.setRho(id, spacing.at(front.start(id))); });
+    front.forEachSlot([&](SlotId id) {
+        if (!front.isolated(id)) {
             isLeg(front, coloured.colours, id) ? coloured.layers.offerLeg(front, id, 0)
                                                : coloured.layers.offerDiagonal(front, id);
         }
-    }
+    });
 }
 
 template <class Grid, class Trace>
@@ -219,7 +202,7 @@ template <class Grid, class Trace>
 bool ColouredAdvancer<Grid, Trace>::isClear(Fan &fan, double size) {
     fan.size = size * kSquareClearance;
     for (unsigned i = 0; i < fan.segments; ++i) {
-        if (!positive(fan.at[i], fan.at[i + 1], fan.apex)) {
+        if (!turnsLeft(fan.at[i], fan.at[i + 1], fan.apex)) {
             return false;
         }
     }
@@ -259,37 +242,6 @@ bool ColouredAdvancer<Grid, Trace>::trySquare(SlotId id, Outcome &outcome) {
     return tryRow(atStart ? prev : id, outcome) || (wider < kRowCorner && tryRow(atStart ? id : prev, outcome));
 }
 
-/// Places the fourth node of the square over the corner P X N: at the mean of the places that the free angles at P and
-/// N and the node spacing lead to. Returns false if the square would be badly shaped. `size`: mean of the new sides.
-template <class Grid, class Trace>
-bool ColouredAdvancer<Grid, Trace>::placeInRow(Fan &fan, double &size) const {
-    const GenerationFront &front = state_.front;
-    const SlotId p = fan.slots[0], n = fan.slots[2];
-    const double atP = freeAngle(front, p), atN = freeAngle(front, n);
-    if (atP < kMinBeside || atN < kMinBeside) {
-        return false;
-    }
-    const Vec2 placeP = fan.at[0], x = fan.at[1], placeN = fan.at[2];
-    const double rhoP = front[p].rho, rhoN = front[n].rho;
-    const Vec2 parallelogram = placeP + (placeN - x); // beside another corner, which is a row's end
-    const auto seen = [&](double sideP, double sideN) {
-        const Vec2 fromP = atP < kRowCorner ? parallelogram : placeP + sideP * sideDirection(front, p, true);
-        const Vec2 fromN = atN < kRowCorner ? parallelogram : placeN + sideN * sideDirection(front, n, false);
-        return midpoint(fromP, fromN);
-    };
-    const double mean = (rhoP + rhoN + front[fan.slots[1]].rho) / 3.0;
-    const double rho = spacing_.at(seen(mean, mean));
-    const double oppositeP = distance(x, placeN), oppositeN = distance(x, placeP);
-    const double sideP = std::clamp(0.5 * (rhoP + rho), kMinToOpposite * oppositeP, kMaxToOpposite * oppositeP);
-    const double sideN = std::clamp(0.5 * (rhoN + rho), kMinToOpposite * oppositeN, kMaxToOpposite * oppositeN);
-    const Vec2 c = seen(sideP, sideN);
-    fan.apex = c;
-    size = 0.5 * (sideP + sideN);
-    const double gotP = distance(c, placeP), gotN = distance(c, placeN);
-    return gotP >= kShortestSide * sideP && gotP <= kLongestSide * sideP && gotN >= kShortestSide * sideN &&
-           gotN <= kLongestSide * sideN && positive(placeP, x, placeN) && positive(placeN, c, placeP);
-}
-
 template <class Grid, class Trace>
 void ColouredAdvancer<Grid, Trace>::proposeRow(const Fan &fan, double size) {
     if constexpr (Trace::kRecords) {
@@ -309,7 +261,7 @@ template <class Grid, class Trace>
 bool ColouredAdvancer<Grid, Trace>::tryRow(SlotId first, Outcome &outcome) {
     Fan fan(state_.front, first, 2);
     double size = 0.0;
-    const bool placed = placeInRow(fan, size);
+    const bool placed = placeInRow(state_.front, spacing_, fan, size);
     proposeRow(fan, size);
     if (!placed) {
         return refuse(Verdict::BadShape);
@@ -331,33 +283,6 @@ bool ColouredAdvancer<Grid, Trace>::tryRow(SlotId first, Outcome &outcome) {
     return true;
 }
 
-/// Places the two new nodes of a square over a leg, in fans with one new node each. Returns false if it would be badly
-/// shaped. `size`: mean of the sides beside the leg.
-template <class Grid, class Trace>
-bool ColouredAdvancer<Grid, Trace>::placeOpening(SlotId id, Fan &overB, Fan &overA, double &size) const {
-    const GenerationFront &front = state_.front;
-    const SlotId end = front.next(id);
-    const Vec2 a = front.start(id), b = front.start(end);
-    const double l = front[id].length, rhoA = front[id].rho, rhoB = front[end].rho;
-    const Vec2 alongA = sideDirection(front, id, true), alongB = sideDirection(front, end, false);
-    const auto clamped = [l](double rho) { return std::clamp(rho, kMinToOpposite * l, kMaxOpening * l); };
-    const double rhoD = spacing_.at(a + clamped(rhoA) * alongA), rhoC = spacing_.at(b + clamped(rhoB) * alongB);
-    const double sideA = clamped(0.5 * (rhoA + rhoD)), sideB = clamped(0.5 * (rhoB + rhoC));
-    Vec2 d = a + sideA * alongA, c = b + sideB * alongB;
-    // The far side goes half-way to the spacing there.
-    const double far = distance(d, c);
-    const double wanted = std::clamp(0.5 * (rhoC + rhoD), kMinToOpposite * l, kMaxToOpposite * l);
-    if (far > 0.0) {
-        const Vec2 pull = 0.25 * (wanted / far - 1.0) * (c - d);
-        d = d - pull;
-        c = c + pull;
-    }
-    size = 0.5 * (sideA + sideB);
-    overB.apex = c;
-    overA.apex = d;
-    return positive(a, c, d) && !tooSmall(size, c) && !tooSmall(size, d);
-}
-
 template <class Grid, class Trace>
 void ColouredAdvancer<Grid, Trace>::proposeOpening(const Fan &overB, const Fan &overA, double size) {
     if constexpr (Trace::kRecords) {
@@ -377,7 +302,7 @@ template <class Grid, class Trace>
 bool ColouredAdvancer<Grid, Trace>::tryOpening(SlotId id, Outcome &outcome) {
     Fan overB(state_.front, id, 1), overA(state_.front, id, 1);
     double size = 0.0;
-    const bool placed = placeOpening(id, overB, overA, size);
+    const bool placed = placeOpening(state_.front, spacing_, id, overB, overA, size);
     proposeOpening(overB, overA, size);
     if (!placed) {
         return refuse(Verdict::BadShape);
@@ -426,25 +351,43 @@ bool ColouredAdvancer<Grid, Trace>::tryClosing(SlotId id, Outcome &outcome) {
                               .shape = scaledJacobian({0, 1, 2, 3}, at),
                               .colour = coloured_.colours[index(front[n].node)]});
     }
-    if (l < kMinClosing * rho || l > kMaxClosingLeg * rho || !positive(at[0], at[1], at[2]) ||
-        !positive(at[1], at[2], at[3]) || !positive(at[0], at[2], at[3]) || !positive(at[3], at[0], at[1])) {
+    if (l < kMinClosing * rho || l > kMaxClosingLeg * rho || !turnsLeft(at[0], at[1], at[2]) ||
+        !turnsLeft(at[1], at[2], at[3]) || !turnsLeft(at[0], at[2], at[3]) || !turnsLeft(at[3], at[0], at[1])) {
         return refuse(Verdict::BadShape);
     }
-    for (unsigned half = 0; half < 2; ++half) {
-        const Fan corner(front, p, 2);
-        if (!fans_.cornerClear(corner, work_)) {
-            refuse(Verdict::CrossesFront);
-            return half > 0; // the diagonal goes through a search
-        }
-        const std::size_t segments = front.segments();
-        AdvanceDelta delta = update_.begin(p);
-        update_.addElement(baseAt(front, p), {0.0, corner.at[2], corner.nodes[2], corner.slots[2]}, delta);
-        outcome.apex = corner.at[2];
-        made(delta, layer_, segments);
+    const Base base = baseAt(front, id);
+    const Fan corner(front, p, 2);
+    if (!fans_.cornerClear(corner, work_)) {
+        return refuse(Verdict::CrossesFront);
     }
+    std::size_t segments = front.segments();
+    AdvanceDelta half = closeCorner(corner);
+    const Fan other(front, p, 2);
+    const bool whole = fans_.cornerClear(other, work_);
+    if (!whole) {
+        refuse(Verdict::CrossesFront);
+    }
+    made(half, layer_, segments); // with the work of both tests
+    if (!whole) {                 // its diagonal goes through a search
+        trace_.keepHalf(base, [&] { return search_.existing(base, rho, corner.nodes[0], at[0]); });
+        outcome = {&ColouredWork::searched, SquareKind::None, at[0]};
+        return true;
+    }
+    segments = front.segments();
+    AdvanceDelta second = closeCorner(other);
+    made(second, layer_, segments);
     trace_.endTest(Verdict::Accepted);
     outcome = {&ColouredWork::closings, SquareKind::Closing, at[3]};
     return true;
+}
+
+/// Cuts off a corner of Γ by an element without a new node. Returns the change, which is not counted yet.
+template <class Grid, class Trace>
+AdvanceDelta ColouredAdvancer<Grid, Trace>::closeCorner(const Fan &corner) {
+    AdvanceDelta delta = update_.begin(corner.slots[0]);
+    update_.addElement(baseAt(state_.front, corner.slots[0]), {0.0, corner.at[2], corner.nodes[2], corner.slots[2]},
+                       delta);
+    return delta;
 }
 
 FOREFRONT_INSTANTIATE_FOR_SQUARES(ColouredAdvancer)

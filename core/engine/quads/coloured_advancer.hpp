@@ -56,14 +56,12 @@ class ColouredAdvancer {
     bool isLegAt(SlotId id) const { return isLeg(state_.front, coloured_.colours, id); }
     bool trySquare(SlotId id, Outcome &outcome);
     bool tryRow(SlotId first, Outcome &outcome);
-    bool placeInRow(Fan &fan, double &size) const;
     bool tryOpening(SlotId id, Outcome &outcome);
-    bool placeOpening(SlotId id, Fan &overB, Fan &overA, double &size) const;
     void addOpening(SlotId id, const Fan &overB, const Fan &overA);
     bool tryClosing(SlotId id, Outcome &outcome);
+    AdvanceDelta closeCorner(const Fan &corner);
     void searchApex(Base &base, bool again, Outcome &outcome);
     bool isClear(Fan &fan, double size);
-    bool tooSmall(double size, Vec2 at) const { return size < kSmallNode * spacing_.at(at); }
     bool refuse(Verdict why);
     void proposeRow(const Fan &fan, double size);
     void proposeOpening(const Fan &overB, const Fan &overA, double size);

@@ -70,7 +70,7 @@ class ColouredGridMesher final : public ColouredMesher {
     }
 
     void restore(const Checkpoint &checkpoint, const MadeSoFar &made) override {
-        forEachSlot([this](SlotId id) { grid_.remove(state_.front, id); });
+        state_.front.forEachSlot([this](SlotId id) { grid_.remove(state_.front, id); });
         restoreColoured(checkpoint, made);
         insertFront();
     }
@@ -78,15 +78,7 @@ class ColouredGridMesher final : public ColouredMesher {
   private:
     std::size_t fixedNodes() const { return boundary_->nodes.size(); }
     void insertFront() {
-        forEachSlot([this](SlotId id) { grid_.insert(state_.front, id); });
-    }
-    template <class Visit>
-    void forEachSlot(Visit visit) {
-        for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
-            if (state_.front[SlotId{i}].alive) {
-                visit(SlotId{i});
-            }
-        }
+        state_.front.forEachSlot([this](SlotId id) { grid_.insert(state_.front, id); });
     }
 
     Grid grid_;
@@ -155,12 +147,12 @@ std::uint64_t ColouredMesher::stateHash() const {
         hash.add(std::uint64_t{colour});
     }
     const GenerationFront &front = state_.front;
-    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
-        if (front[SlotId{i}].alive && !front.isolated(SlotId{i})) {
-            const NodeId opposite = i < coloured_.opposite.size() ? coloured_.opposite[i] : kNoNode;
-            hash.add((static_cast<std::uint64_t>(index(opposite)) << 32U) | coloured_.layers.layerOf(SlotId{i}));
+    front.forEachSlot([&](SlotId id) {
+        if (!front.isolated(id)) {
+            const NodeId opposite = index(id) < coloured_.opposite.size() ? coloured_.opposite[index(id)] : kNoNode;
+            hash.add((static_cast<std::uint64_t>(index(opposite)) << 32U) | coloured_.layers.layerOf(id));
         }
-    }
+    });
     coloured_.layers.addTo(hash);
     const ColouredWork &work = coloured_.work;
     for (const std::uint64_t value :

@@ -5,6 +5,7 @@
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/clearance.hpp"
 #include "core/engine/mesher/instantiate.hpp"
+#include "core/engine/mesher/side_tests.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -137,6 +138,12 @@ ColouredCandidate ColouredSearch<Grid, Trace>::candidate(const Base &base, const
     return {{kKnownBonus * figures.product(), n.a, n.nodeA, n.slot}, c, figures};
 }
 
+template <class Grid, class Trace>
+ColouredCandidate ColouredSearch<Grid, Trace>::existing(Base base, double rho, NodeId node, Vec2 at) const {
+    base.rho = rho;
+    return candidate(base, {kNoSlot, node, node, at, at});
+}
+
 /// Collects the candidates within a radius in domain units, best score first, ties by id.
 template <class Grid, class Trace>
 void ColouredSearch<Grid, Trace>::propose(const Base &base, const Limits &limits) {
@@ -255,51 +262,11 @@ Verdict ColouredSearch<Grid, Trace>::test(const Base &base, const Candidate &ape
              : isFlat(base.a, base.b, apex.position, kAvoidedFlatness)) {
         return Verdict::NotLeft;
     }
-    if (!anglesAllow(base, apex)) {
-        return Verdict::OutsideAngle;
-    }
-    const GenerationFront &front = state_.front;
-    const bool known = apex.slot != kNoSlot;
-    const bool existsAC = known && front.prev(base.slotA) == apex.slot;
-    const bool existsCB = known && front.next(base.slotB) == apex.slot;
-    if ((!existsAC && crosses(base, base.a, base.nodeA, apex, work)) ||
-        (!existsCB && crosses(base, base.b, base.nodeB, apex, work))) {
-        return Verdict::CrossesFront;
+    const Verdict sides = testSides(state_.front, neighbours_, base, apex, trace_, work);
+    if (sides != Verdict::Accepted) {
+        return sides;
     }
     return containsNode(base, apex, flat) ? Verdict::ContainsNode : Verdict::Accepted;
-}
-
-template <class Grid, class Trace>
-bool ColouredSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &apex) const {
-    const GenerationFront &front = state_.front;
-    const bool known = apex.slot != kNoSlot;
-    if (!(known && front.prev(base.slotA) == apex.slot) &&
-        !(front.insideAngle(base.slotA, apex.position) && (!known || front.insideAngle(apex.slot, base.a)))) {
-        return false;
-    }
-    return (known && front.next(base.slotB) == apex.slot) ||
-           (front.insideAngle(base.slotB, apex.position) && (!known || front.insideAngle(apex.slot, base.b)));
-}
-
-template <class Grid, class Trace>
-bool ColouredSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to,
-                                          SearchWork &work) {
-    work.considered += static_cast<std::uint32_t>(neighbours_.size()) - 1U; // without AB, which is among them
-    const Box2 box = boxOf(from, to.position);
-    for (const Neighbour &n : neighbours_) {
-        const bool sharesEnd = n.nodeA == fromNode || n.nodeB == fromNode || n.nodeA == to.node || n.nodeB == to.node;
-        if (n.slot == base.slotA || sharesEnd || !box.overlaps(boxOf(n.a, n.b))) {
-            continue;
-        }
-        ++work.tested;
-        const bool meets = segmentsMeet(from, to.position, n.a, n.b);
-        trace_.testSegment(from, to.position, n.a, n.b, meets);
-        if (meets) {
-            trace_.block(n.a, n.b);
-            return true;
-        }
-    }
-    return false;
 }
 
 template <class Grid, class Trace>

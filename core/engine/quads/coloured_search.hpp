@@ -37,13 +37,11 @@ class ColouredSearch {
     bool find(Base &base, double radius, ColouredCandidate &apex, SearchWork &work);
     /// Finds an apex among existing nodes alone, of any colour; doubles the radius until one passes, which cannot fail.
     void force(Base &base, double radius, ColouredCandidate &apex, SearchWork &work);
+    /// Returns a node that exists as an apex for a base with the spacing `rho`.
+    ColouredCandidate existing(Base base, double rho, NodeId node, Vec2 at) const;
 
   private:
-    struct Neighbour {
-        SlotId slot;
-        NodeId nodeA, nodeB;
-        Vec2 a, b;
-    };
+    using Neighbour = NearSegment;
     struct Ideal {
         Vec2 at;
         std::uint8_t colour;
@@ -64,8 +62,6 @@ class ColouredSearch {
     ColouredScore score(const Base &base, Vec2 p, std::uint8_t colour) const;
     ColouredCandidate candidate(const Base &base, const Neighbour &n) const;
     Verdict test(const Base &base, const Candidate &apex, bool flat, SearchWork &work);
-    bool anglesAllow(const Base &base, const Candidate &apex) const;
-    bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to, SearchWork &work);
     bool containsNode(const Base &base, const Candidate &apex, bool flat);
 
     const FrontState &state_;

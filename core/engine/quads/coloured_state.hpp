@@ -14,8 +14,9 @@ struct ColouredWork {
     std::uint64_t rows = 0;     ///< squares that continue a row, with one new node
     std::uint64_t openings = 0; ///< squares that start a row, with two new nodes
     std::uint64_t closings = 0; ///< squares without a new node
-    std::uint64_t searched = 0; ///< triangles found by the search
-    std::uint64_t forced = 0;   ///< triangles made of existing nodes because no other choice was left
+    std::uint64_t searched =
+        0; ///< other triangles: found by the search, or half of a square whose second half was refused
+    std::uint64_t forced = 0; ///< triangles made of existing nodes because no other choice was left
 
     friend bool operator==(const ColouredWork &, const ColouredWork &) = default;
 };

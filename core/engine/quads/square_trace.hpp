@@ -38,6 +38,8 @@ struct NoSquareTrace : NoTrace {
     void rankSearch(const Base &, std::span<const ColouredCandidate>, double) {}
     template <class Make>
     void skip(const Make &, Verdict, const Obstacle & = {}) {}
+    template <class Make>
+    void keepHalf(const Base &, const Make &) {}
     void endAdvance(const FrontState &, const AdvanceDelta &, Vec2, SquareKind) {}
 };
 
@@ -60,6 +62,13 @@ class SquareRecorder : public Recorder {
     template <class Make>
     void skip(const Make &make, Verdict why, const Obstacle &near = {}) {
         skipped_.push_back({make(), why, near});
+    }
+    /// Records the half that is made of a square whose second half was refused. `make`: returns its apex.
+    template <class Make>
+    void keepHalf(const Base &base, const Make &make) {
+        underTest_ = static_cast<std::uint32_t>(out_.candidates.size());
+        add(base, make(), Verdict::Accepted);
+        event(Step::Test, underTest_);
     }
     void endAdvance(const FrontState &state, const AdvanceDelta &delta, Vec2 apex, SquareKind square);
 

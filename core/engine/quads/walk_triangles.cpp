@@ -13,30 +13,29 @@ class TriangleWalk {
     TriangleWalk(QuadWorkspace &mesh, QuadWatch *watch)
         : mesh_(mesh), watch_(watch), from_(mesh.cells.size(), kNoIndex) {}
 
-    /// Joins this triangle to the nearest other one. Returns false if it cannot reach any.
-    bool join(std::uint32_t triangle) {
+    /// Joins this triangle to the nearest other one, or leaves it where its way ends.
+    void join(std::uint32_t triangle) {
         if (!findPath(triangle)) {
-            return false;
+            return;
         }
-        const bool joined = walk();
-        if (watch_ != nullptr) {
+        walk();
+        if (watch_ != nullptr) { // what a walk changes that ends early is part of the mesh, too
             watch_->changed(ImproveChange::Walk, mesh_, {false, {}, path_});
         }
-        return joined;
     }
 
   private:
-    /// Takes the triangle along the path and joins it to the one at its end.
-    bool walk() {
+    /// Takes the triangle along the path, as far as it goes, and joins it to the one at its end.
+    void walk() {
         std::uint32_t at = path_[0];
         for (std::size_t i = 1; i + 1 < path_.size(); ++i) {
             const std::optional<std::uint32_t> next = step(at, path_[i], path_[i + 1]);
             if (!next) {
-                return false;
+                return;
             }
             at = *next;
         }
-        return merge(at, path_.back());
+        merge(at, path_.back());
     }
 
     /// Finds the shortest way to another triangle, breadth first.
@@ -120,10 +119,10 @@ class TriangleWalk {
         return triangle;
     }
 
-    bool merge(std::uint32_t first, std::uint32_t second) {
+    void merge(std::uint32_t first, std::uint32_t second) {
         const unsigned k = commonSide(first, second);
         if (k == 4) {
-            return false;
+            return;
         }
         const QuadCell t = mesh_.cells[first], u = mesh_.cells[second];
         const unsigned j = cornerAt(u, t[k]);
@@ -132,7 +131,6 @@ class TriangleWalk {
         mesh_.take(second);
         mesh_.put(first, {previousCorner(t, k), t[k], nextCorner(u, j), nextCorner(t, k)}, face);
         mesh_.release(second);
-        return true;
     }
 
     QuadWorkspace &mesh_;

@@ -182,8 +182,10 @@ std::uint64_t advanceOf(const Timeline &timeline, std::size_t element) {
 /// The parts of elements near a place: the distance of each, and the element it was first seen in.
 class BirthSearch {
   public:
-    BirthSearch(const FrontState &state, Vec2 place, double tolerance)
-        : state_(state), place_(place), edgeDistance_(tolerance), nodeDistance_(tolerance),
+    /// `colours`: of the nodes of a two-coloured front, whose edges between equal colours are diagonals of squares and
+    /// no edges of the mesh; null: it has none.
+    BirthSearch(const FrontState &state, const std::vector<std::uint8_t> *colours, Vec2 place, double tolerance)
+        : state_(state), colours_(colours), place_(place), edgeDistance_(tolerance), nodeDistance_(tolerance),
           reach_(boxAround(place, tolerance)) {}
 
     std::optional<Birth> find() {
@@ -209,7 +211,8 @@ class BirthSearch {
                 nodeDistance_ = d;
                 node_ = Birth{Birth::Kind::Node, nodes[k], kNoNode, id, 0};
             }
-            if (const double d = distanceToSegment(corners[k], corners[next], place_); d < edgeDistance_) {
+            if (const double d = distanceToSegment(corners[k], corners[next], place_);
+                d < edgeDistance_ && !isDiagonal(nodes[k], nodes[next])) {
                 edgeDistance_ = d;
                 edge_ = Birth{Birth::Kind::Edge, nodes[k], nodes[next], id, 0};
             }
@@ -219,7 +222,12 @@ class BirthSearch {
         }
     }
 
+    bool isDiagonal(NodeId a, NodeId b) const {
+        return colours_ != nullptr && (*colours_)[index(a)] == (*colours_)[index(b)];
+    }
+
     const FrontState &state_;
+    const std::vector<std::uint8_t> *colours_;
     Vec2 place_;
     double edgeDistance_, nodeDistance_; ///< of those found, at first the tolerance
     Box2 reach_;
@@ -244,26 +252,26 @@ std::optional<Stop> stopAfterLast(const Breakpoints &breakpoints, Timeline &time
 }
 
 std::optional<Birth> birthAt(const Timeline &timeline, Vec2 place, double tolerance) {
-    std::optional<Birth> birth = BirthSearch(timeline.mesher().state(), place, tolerance).find();
+    const Mesher &mesher = timeline.mesher();
+    std::optional<Birth> birth = BirthSearch(mesher.state(), mesher.colours(), place, tolerance).find();
     if (birth) {
         birth->advance = advanceOf(timeline, index(birth->element));
+        if (mesher.colours() != nullptr) {
+            birth->element = kNoElement; // the mesh numbers squares, not their halves
+        }
     }
     return birth;
 }
 
 bool unmeshed(const GenerationFront &front, Vec2 place) {
     bool inside = false;
-    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
-        const SlotId id{i};
-        if (!front[id].alive || front.isolated(id)) {
-            continue;
-        }
+    front.forEachSlot([&](SlotId id) { // isolated points have no length, so that the ray never meets them
         const Vec2 a = front.start(id), b = front.end(id);
         if ((a.y > place.y) != (b.y > place.y)) { // the ray to the right of the place
             const int side = orientation(a, b, place);
             inside = inside != ((b.y > a.y) == (side > 0));
         }
-    }
+    });
     return inside;
 }
 

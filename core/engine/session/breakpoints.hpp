@@ -57,7 +57,7 @@ struct Birth {
     enum class Kind : std::uint8_t { Node, Edge, Triangle };
     Kind kind = Kind::Triangle;
     NodeId a = kNoNode, b = kNoNode; ///< the node; the ends of the edge
-    ElementId element = kNoElement;  ///< the first element that has it
+    ElementId element = kNoElement;  ///< the first element that has it; kNoElement: half of a square, without a number
     std::uint64_t advance = 0;       ///< position of the timeline just after it was made
 
     friend bool operator==(const Birth &, const Birth &) = default;

@@ -24,14 +24,13 @@ std::shared_ptr<const std::vector<FrontSegmentView>> frontOf(const GenerationFro
                                                              const std::vector<std::uint8_t> *colours) {
     auto view = std::make_shared<std::vector<FrontSegmentView>>();
     view->reserve(front.segments());
-    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
-        const SlotId id{i};
-        if (front[id].alive && !front.isolated(id)) {
+    front.forEachSlot([&](SlotId id) {
+        if (!front.isolated(id)) {
             const NodeId node = front[id].node;
             view->push_back({front.start(id), front.end(id), node, front[front.next(id)].node,
                              colours == nullptr ? -1 : (*colours)[index(node)]});
         }
-    }
+    });
     return view;
 }
 
@@ -139,19 +138,22 @@ void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeli
     if (include) {
         snapshot.mesh = mesh_;
     }
-    // The shapes of halves of squares say nothing about the mesh, so that one is measured on the way as well.
-    const bool joined = include && mesh_->whole != nullptr;
-    const bool whole = (resting || joined) && include && state.elements.size() <= kMeasureUpTo;
+    // The shapes of halves of squares say nothing about the mesh: figures come from the joined mesh, or there are none.
+    const bool halves = timeline.mesher().colours() != nullptr;
+    const bool whole = (resting || halves) && include && state.elements.size() <= kMeasureUpTo;
     if (whole && qualityPosition_ != timeline.position()) {
         quality_ = measureQuality(mesh_->view(), &timeline.mesher().spacing());
         quality_.nodes = state.nodes.size();
         qualityPosition_ = timeline.position();
     }
-    snapshot.quality = whole ? quality_ : quickQuality(state);
-    if (joined && !whole) {
+    if (whole) {
+        snapshot.quality = quality_;
+    } else if (!halves) {
+        snapshot.quality = quickQuality(state);
+    } else {
         snapshot.quality = {};
         snapshot.quality.nodes = state.nodes.size();
-        snapshot.quality.elements = mesh_->whole->elementCount();
+        snapshot.quality.elements = include ? mesh_->view().elementCount() : 0;
     }
 }
 

@@ -15,7 +15,7 @@ Result<SteppedJob> prepareStepped(const MeshingJob &job, const Progress &progres
         return prepared.faults();
     }
     SteppedJob stepped{*std::move(prepared), std::nullopt};
-    if (job.options.elements != Elements::Triangles) {
+    if (makesQuads(job.options)) {
         MeshingState state{.job = job, .prepared = std::move(stepped.prepared)};
         Result<QuadStart> start = chooseQuadFront(state, progress);
         if (!start) {

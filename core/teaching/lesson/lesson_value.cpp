@@ -3,11 +3,15 @@
 #include "core/engine/base/number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace forefront {
 
 namespace {
+
+/// The figures of the mesh shown. A front of quadrilaterals has them only with its mesh, δ is measured only on one.
+constexpr std::array kOfMesh = {LessonValue::MinAlpha, LessonValue::MeanAlpha, LessonValue::MeanDelta};
 
 std::optional<double> ofAdvance(LessonValue value, const AdvanceExplanation &advance) {
     const auto &candidates = advance.candidates;
@@ -124,11 +128,13 @@ std::optional<double> valueOf(LessonValue value, const LessonState &state) {
 }
 
 bool needsMesh(LessonValue value) {
-    return value == LessonValue::MeanDelta;
+    return std::ranges::find(kOfMesh, value) != kOfMesh.end();
 }
 
 bool needsMesh(std::string_view text) {
-    return text.find('{' + std::string(wordOf(LessonValue::MeanDelta)) + '}') != std::string_view::npos;
+    return std::ranges::any_of(kOfMesh, [text](LessonValue value) {
+        return text.find('{' + std::string(wordOf(value)) + '}') != std::string_view::npos;
+    });
 }
 
 std::string withValues(std::string_view pattern, const LessonState &state) {

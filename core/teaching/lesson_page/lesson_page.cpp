@@ -23,15 +23,10 @@ struct ShownRun {
     std::size_t moments = 0;          ///< after the front, that the player has, see RecordedRun::improveMoments()
 };
 
-/// Returns true if the run of a page is one of quadrilaterals, which the player does not show.
-bool makesQuads(const LessonPage &page) {
-    return page.document && documentOf(page)->options.elements != Elements::Triangles;
-}
-
 /// Returns the index into `runs` of the run that a page shows, which becomes a new one if none of them is the same;
-/// -1 without a drawing, or if the player cannot show it.
+/// -1 without a drawing, or if the run makes quadrilaterals, which the player does not show.
 int runOf(const LessonPage &page, std::vector<ShownRun> &runs) {
-    if (!page.document || makesQuads(page)) {
+    if (!page.document || makesQuads(documentOf(page)->options)) {
         return -1;
     }
     const auto found =

@@ -7,10 +7,10 @@
 
 namespace forefront {
 
-/// Returns the fault of something that shows only fronts of triangles, for a job of other elements; else none. `what`:
-/// its name, such as "a film".
+/// Returns the fault "not-stepped" of something that shows only fronts of triangles, for a job that makes
+/// quadrilaterals; else none. `what`: its name, such as "a film".
 inline Diagnostics refusalOfQuads(const MeshingOptions &options, const std::string &what) {
-    if (options.elements == Elements::Triangles) {
+    if (!makesQuads(options)) {
         return {};
     }
     return error("not-stepped", what + " shows a front of triangles, not one of quadrilaterals",

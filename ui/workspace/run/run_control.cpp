@@ -379,7 +379,7 @@ bool RunControl::startIfNeeded() {
 }
 
 bool RunControl::makesQuads() const {
-    return document_.current()->options.elements != Elements::Triangles;
+    return forefront::makesQuads(document_.current()->options);
 }
 
 void RunControl::beginMove() {
