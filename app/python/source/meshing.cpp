@@ -1,12 +1,12 @@
 #include "app/python/source/meshing.hpp"
 
-#include "app/reports/report.hpp"
 #include "app/python/source/arrays.hpp"
 #include "app/python/source/faults.hpp"
 #include "app/python/source/job.hpp"
 #include "app/python/source/mesh.hpp"
 #include "app/python/source/progress_calls.hpp"
 #include "app/python/source/shared_object.hpp"
+#include "app/reports/report.hpp"
 #include "core/drawing/commands/mesh_within_limits.hpp"
 #include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/engine/adapt/mesh_outline.hpp"
