@@ -338,18 +338,21 @@ class Settler {
         return drag.pull(pulls) ? std::optional(drag.values()) : std::nullopt;
     }
 
-    /// Names constraints and joints of a part that cannot hold together, as few as possible.
+    /// Names constraints and joints of a part that cannot hold together, as few as possible; or those that no solution
+    /// was found for.
     Diagnostics conflict(const std::vector<std::uint32_t> &part) const {
-        const std::set<std::uint32_t> clash = smallestClash(only(part), changedConstraints_);
-        const std::string names = relationNames(sketch_, clash);
+        const Clash clash = smallestClash(only(part), changedConstraints_);
+        const std::string names = namedConstraints(relationNames(sketch_, clash.ids), clash.ids);
         const std::string held = sketch_.holdsNumbers() ? " where formulas and locked shapes hold their parts" : "";
-        if (clash.size() > 1) {
-            return error("constraint-conflict", namedConstraints(names, clash) + " cannot hold together" + held,
-                         clashAdvice(sketch_, clash));
+        const bool several = clash.ids.size() > 1;
+        const bool onlyOne = clash.ids.empty() || (!several && *clash.ids.begin() < sketch_.jointId(0));
+        const std::string advice = onlyOne ? "change it or remove it" : clashAdvice(sketch_, clash.ids);
+        if (!clash.certain) {
+            return error("constraint-conflict",
+                         "no solution was found near by for " + names + (several ? " together" : "") + held,
+                         "change a value in smaller steps; or " + advice);
         }
-        return error("constraint-conflict", namedConstraints(names, clash) + " cannot hold" + held,
-                     clash.empty() || *clash.begin() < sketch_.jointId(0) ? "change it or remove it"
-                                                                          : clashAdvice(sketch_, clash));
+        return error("constraint-conflict", names + " cannot hold" + (several ? " together" : "") + held, advice);
     }
 
     /// Puts "constraint" or "constraints" before names of which the first is that of a constraint.
