@@ -34,12 +34,11 @@ Diagnostics faultOfFollower(const Document &after, const Document &next) {
 
 Result<Document> carryThrough(const JointIndex &index, JointCorrection &correction, const Document &after) {
     Result<Document> next = editSharedSegments(index, after);
-    const Result<FollowedMove> followed =
-        next ? followJoints(index, *std::move(next)) : Result<FollowedMove>(next.faults());
+    Result<FollowedMove> followed = next ? followJoints(index, *std::move(next)) : Result<FollowedMove>(next.faults());
     if (!followed) {
         return followed.faults();
     }
-    next = correction.correct(followed->document, followed->given, followed->turned);
+    next = correction.correct(std::move(followed->document), followed->given, followed->turned);
     const Diagnostics faults = next ? faultOfFollower(after, *next) : Diagnostics();
     return faults.empty() ? next : Result<Document>(faults);
 }

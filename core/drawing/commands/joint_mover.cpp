@@ -78,12 +78,15 @@ class JointMover {
                                                                                                         : nullptr;
     }
 
+    /// Returns true if the shape at a position has not changed, without a look into it.
+    bool isSame(std::size_t s) const { return s < before_.shapes.size() && before_.shapes[s] == document_.shapes[s]; }
+
     void collect() {
         moved_.clear();
         segments_.clear();
         hasMoved_.assign(before_.shapes.size(), {});
         for (std::size_t s = 0; s < document_.shapes.size(); ++s) {
-            const Shape *const old = unchangedList(s);
+            const Shape *const old = isSame(s) ? nullptr : unchangedList(s);
             if (old == nullptr || old == document_.shapes[s].get()) {
                 continue;
             }
@@ -187,7 +190,7 @@ class JointMover {
     /// Finds the handles that the command has moved.
     void findGiven() {
         for (std::size_t s = 0; s < document_.shapes.size(); ++s) {
-            const Shape *const old = unchangedList(s);
+            const Shape *const old = isSame(s) ? nullptr : unchangedList(s);
             if (old == nullptr || old == document_.shapes[s].get() || hasReorderedHandles(*old, *document_.shapes[s])) {
                 continue;
             }

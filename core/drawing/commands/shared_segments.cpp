@@ -52,7 +52,11 @@ class SharedSegments {
 
     Result<Document> run() {
         std::vector<ListedNode> inserted, removed;
-        for (const auto &shape : document_.shapes) {
+        for (std::size_t s = 0; s < document_.shapes.size(); ++s) {
+            const std::shared_ptr<const Shape> &shape = document_.shapes[s];
+            if (s < before_.shapes.size() && before_.shapes[s] == shape) {
+                continue; // without a look into it
+            }
             const Shape *const old = findShape(before_, shape->id);
             if (old == nullptr || old == shape.get() || !isPath(*old) || !isPath(*shape) ||
                 isClosed(*old) != isClosed(*shape)) {

@@ -71,11 +71,9 @@ class MovedJoints {
     MovedJoints(const MovedJoints &) = delete;
     MovedJoints &operator=(const MovedJoints &) = delete;
 
-    bool isOf(const Document &start, const std::vector<SketchPart> &moved) const {
-        return start_.shapes == start.shapes && moved_ == moved;
-    }
+    const std::vector<SketchPart> &moved() const { return moved_; }
 
-    Result<Document> correct(const Document &moved, const std::set<NodeRef> &given) const {
+    Result<Document> correct(Document moved, const std::set<NodeRef> &given) const {
         SketchSystem system = sketch_.system;
         system.values = valuesIn(moved);
         const std::vector<std::uint32_t> open = openJoints(system);
@@ -86,7 +84,7 @@ class MovedJoints {
         if (!solution) {
             return conflict(open.front());
         }
-        return sketch_.withValues(aligned(solution->values), moved);
+        return sketch_.withValues(aligned(solution->values), std::move(moved));
     }
 
   private:
@@ -185,30 +183,64 @@ class JointCorrection::State {
   public:
     explicit State(std::shared_ptr<const Document> start) : start_(std::move(start)) {}
 
-    Result<Document> correct(const Document &moved, const std::set<NodeRef> &given, const std::set<NodeRef> &apart) {
-        Document start = moved;
-        start.constraints.clear();
-        start.formulas.clear();
-        for (auto &shape : start.shapes) {
-            const std::size_t at = positionOf(*start_, shape->id);
-            shape = at < start_->shapes.size() ? atStart(start_->shapes[at], shape) : shape;
+    Result<Document> correct(Document moved, const std::set<NodeRef> &given, const std::set<NodeRef> &apart) {
+        std::optional<Document> start; // only if it differs from that of the drag
+        Document changed;              // the moved shapes alone: others cost time in large drawings
+        for (std::size_t s = 0; s < moved.shapes.size(); ++s) {
+            const std::shared_ptr<const Shape> &now = moved.shapes[s];
+            const std::size_t at = positionLike(s, *now);
+            if (at < start_->shapes.size() && start_->shapes[at] == now) {
+                continue;
+            }
+            changed.shapes.push_back(now);
+            const std::shared_ptr<const Shape> then =
+                at < start_->shapes.size() ? atStart(start_->shapes[at], now) : now;
+            if (at != s || then != start_->shapes[at]) {
+                start = start ? std::move(start) : std::optional(startOf(moved));
+            }
+        }
+        if (moved.shapes.size() != start_->shapes.size() || !apart.empty()) {
+            start = start ? std::move(start) : std::optional(startOf(moved));
         }
         for (const NodeRef node : apart) {
-            placeAsIn(moved, node, start);
+            placeAsIn(moved, node, *start);
         }
-        std::vector<SketchPart> parts = movedParts(start, moved);
+        const std::vector<SketchPart> parts = movedParts(start ? *start : *start_, changed);
         if (parts.empty()) {
             return moved;
         }
-        if (!joints_ || !joints_->isOf(start, parts)) {
-            joints_ = std::make_unique<const MovedJoints>(std::move(start), std::move(parts));
+        if (start || !isPlain_ || ofDrag_->moved() != parts) {
+            isPlain_ = !start;
+            ofDrag_ = std::make_unique<const MovedJoints>(start ? *std::move(start) : startOf(moved), parts);
         }
-        return joints_->correct(moved, given);
+        return ofDrag_->correct(std::move(moved), given);
     }
 
   private:
+    /// Returns the position at the start of a shape that is now at a position.
+    std::size_t positionLike(std::size_t now, const Shape &shape) const {
+        const auto &shapes = start_->shapes;
+        return now < shapes.size() && (shapes[now].get() == &shape || shapes[now]->id == shape.id)
+                   ? now
+                   : positionOf(*start_, shape.id);
+    }
+
+    /// Returns the shapes of a document where they were at the start, without constraints and formulas.
+    Document startOf(const Document &moved) const {
+        Document start = moved;
+        start.constraints.clear();
+        start.formulas.clear();
+        for (std::size_t s = 0; s < start.shapes.size(); ++s) {
+            const std::size_t at = positionLike(s, *start.shapes[s]);
+            start.shapes[s] =
+                at < start_->shapes.size() ? atStart(start_->shapes[at], start.shapes[s]) : start.shapes[s];
+        }
+        return start;
+    }
+
     std::shared_ptr<const Document> start_;
-    std::unique_ptr<const MovedJoints> joints_;
+    std::unique_ptr<const MovedJoints> ofDrag_; ///< of the last step
+    bool isPlain_ = false;                      ///< they are those of the drawing at the start itself
 };
 
 JointCorrection::JointCorrection(std::shared_ptr<const Document> start)
@@ -217,9 +249,9 @@ JointCorrection::~JointCorrection() = default;
 JointCorrection::JointCorrection(JointCorrection &&) noexcept = default;
 JointCorrection &JointCorrection::operator=(JointCorrection &&) noexcept = default;
 
-Result<Document> JointCorrection::correct(const Document &moved, const std::set<NodeRef> &given,
+Result<Document> JointCorrection::correct(Document moved, const std::set<NodeRef> &given,
                                           const std::set<NodeRef> &apart) {
-    return state_->correct(moved, given, apart);
+    return state_->correct(std::move(moved), given, apart);
 }
 
 } // namespace forefront

@@ -25,7 +25,7 @@ class JointCorrection {
     /// where it is there, and the rest of its shapes too if possible; neighbours move as little as possible. Unchanged
     /// if all joints hold. `apart`: nodes of paths and points that have left their joints at the start for those where
     /// they are now. Error: joint-conflict, if what is given cannot have its place.
-    Result<Document> correct(const Document &moved, const std::set<NodeRef> &given, const std::set<NodeRef> &apart);
+    Result<Document> correct(Document moved, const std::set<NodeRef> &given, const std::set<NodeRef> &apart);
 
   private:
     class State;
