@@ -1,5 +1,6 @@
 // Joints hold exactly however shapes are moved, with and without constraints, and neighbours change little.
 #include "core/drawing/commands/carry_joints.hpp"
+#include "core/drawing/commands/path_commands.hpp"
 #include "core/drawing/commands/settle_command.hpp"
 #include "core/drawing/commands/transform.hpp"
 #include "core/drawing/formulas/formulas.hpp"
@@ -170,6 +171,22 @@ TEST_CASE("Joints: an end on a side goes round its corner, and stops at the last
     CHECK(endAt(open, {3, 6}) == Vec2{4, 4});
     const Document rectangle = documentOf({rectangleOf({0, 0}, {4, 4}), lineOf({{4, 2}, {8, 2}})});
     CHECK(endAt(rectangle, {3, 4.5}) == Vec2{3, 4});
+}
+
+TEST_CASE("Joints: a control point bends the curve of both neighbours, unless it is locked or detached") {
+    Shape left = square({0, 0}, 4), right = square({4, 0}, 4);
+    left.path().curves.assign(4, Curve());
+    right.path().curves.assign(4, Curve());
+    left.path().curves[1] = Curve::cubic({4, 0}, {5, 1}, {5, 3}, {4, 4});
+    right.path().curves[3] = Curve::cubic({4, 4}, {5, 3}, {5, 1}, {4, 0});
+    Document document = documentOf({left, right});
+    const ControlRef first{1, 1, false};
+    const Document bent = jointed(document, moveControl(document, first, {6, 1.5}));
+    CHECK(findShape(bent, 1)->path().curves[1] == Curve::cubic({4, 0}, {6, 1.5}, {5, 3}, {4, 4}));
+    CHECK(findShape(bent, 2)->path().curves[3] == Curve::cubic({4, 4}, {5, 3}, {6, 1.5}, {4, 0}));
+    CHECK(moveControl(document, first, {6, 1.5})->shapes[1] == document.shapes[1]);
+    document = *setLocked(document, {2}, true);
+    CHECK(codeOf(jointly(document, moveControl(document, first, {6, 1.5}))) == "joined-locked");
 }
 
 TEST_CASE("Joints: a neighbour that cannot follow is named, and nothing changes") {

@@ -95,21 +95,8 @@ class MapEdits {
         return applyFormulas(tied);
     }
 
-    /// Returns true if a constraint names a node or a side that ends at it.
-    static bool isNamed(const Document &document, const SketchPart &node) {
-        return std::any_of(document.constraints.begin(), document.constraints.end(), [&](const auto &constraint) {
-            return std::any_of(constraint->parts.begin(), constraint->parts.end(), [&](const SketchPart &part) {
-                const bool isEnd = part.index == node.index || (part.index + 1) % 4 == node.index;
-                return part.shape == node.shape && (part.kind == SketchPartKind::Node ? part == node : isEnd);
-            });
-        });
-    }
-
     Result<Document> drag(const Document &document) {
         const SketchPart part = anyNode(document);
-        if (!isNamed(document, part)) { // then joints hold as in drawings without constraints
-            return document;
-        }
         const auto start = std::make_shared<const Document>(document);
         const Vec2 from = handlesOf(*findShape(document, part.shape))[part.index], by = random_.place(0.7);
         ConstraintDrag drag(start);

@@ -1,6 +1,7 @@
 #include "core/drawing/commands/carry_joints.hpp"
 
 #include "core/drawing/commands/joint_mover.hpp"
+#include "core/drawing/commands/shared_curves.hpp"
 #include "core/drawing/commands/shared_segments.hpp"
 #include "core/drawing/constraints/joint_correction.hpp"
 #include "core/drawing/joints/joint_index.hpp"
@@ -34,6 +35,7 @@ Diagnostics faultOfFollower(const Document &after, const Document &next) {
 
 Result<Document> carryThrough(const JointIndex &index, JointCorrection &correction, const Document &after) {
     Result<Document> next = editSharedSegments(index, after);
+    next = next ? bendSharedCurves(index, *std::move(next)) : std::move(next);
     Result<FollowedMove> followed = next ? followJoints(index, *std::move(next)) : Result<FollowedMove>(next.faults());
     if (!followed) {
         return followed.faults();

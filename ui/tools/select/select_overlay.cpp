@@ -301,7 +301,7 @@ std::string SelectTool::statusText(const Shell &context) const {
                    : name + "click to select it, Delete to remove it";
     }
     if (over_ && hover_.kind == Hit::Kind::Control) {
-        return "Drag the control point. Alt: without the opposite one, Shift: angle steps";
+        return "Drag the control point. Alt: without the opposite one and neighbours, Shift: angle steps";
     }
     if (over_ && hover_.kind == Hit::Kind::Transform) {
         return TransformHandles::statusText(hover_.transform);
