@@ -265,7 +265,7 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     app.add_option("--stats", arguments.statistics, "write statistics as JSON; -: print them instead of the summary")
         ->type_name("FILE.json");
     auto *const dry = app.add_flag("--dry-run", arguments.dryRun,
-                                   "estimate elements, memory and time without meshing; nothing is written");
+                                   "estimate elements, memory and time; nothing is written");
     app.add_flag("--json", arguments.json, "print the estimate of --dry-run as JSON")->needs(dry);
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
     addConfigOption(app);
