@@ -24,10 +24,11 @@ struct RunEstimate {
 };
 
 /// Estimates a run: prepares it, which integrates 4/(√3·ρ²) over the domain. A run of at most 10,000 elements is then
-/// made, so that its elements and nodes are exact; for a larger one a square of about 10,000 elements is meshed with the
-/// same options for the time. There the number of triangles is within 15 % in all samples, half of them within 2.5 %,
-/// and the number of quadrilaterals is taken as the samples' median share of that; where sizes change fast it differs by
-/// up to a half, and elements added for a least angle are not counted. Errors: those of prepare() and meshDomain().
+/// made, so that its elements and nodes are exact; for a larger one a square of about 10,000 elements is meshed with
+/// the same options for the time. There the number of triangles is within 15 % in all samples, half of them within 2.5
+/// %, and the number of quadrilaterals is taken as the samples' median share of that; where sizes change fast it
+/// differs by up to a half, and elements added for a least angle are not counted. Errors: those of prepare() and
+/// meshDomain().
 Result<RunEstimate> estimateRun(const MeshingJob &job, const Progress &progress = {});
 
 } // namespace forefront
