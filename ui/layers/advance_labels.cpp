@@ -104,15 +104,16 @@ double covered(const AdvanceMarks &marks, const PixelRect &rect, double rim) {
 
 } // namespace
 
-void labelOfAdvance(CanvasPainter &painter, const LayerFrame &frame, const Moment &moment, Vec2 at, Vec2 away,
-                    const std::string &text) {
+void labelOfAdvance(CanvasPainter &painter, const LayerFrame &frame, const Moment &moment, const AdvanceLabel &label) {
+    const Vec2 at = label.at;
+    const std::string &text = label.text;
     ImFont *const font = frame.fonts.small;
     const AdvanceMarks marks = marksAround(frame, moment);
     const Pixel place = painter.camera().toPixel(at);
     const PixelRect atPlace = painter.labelRect(at, {}, text, font);
     const Pixel half = 0.5 / frame.scale * Pixel(atPlace.width, atPlace.height);
     const Pixel shift = (atPlace.centre() - place) / frame.scale;
-    const double ahead = std::atan2(-away.y, away.x); // on the screen, y points down
+    const double ahead = std::atan2(-label.away.y, label.away.x); // on the screen, y points down
 
     constexpr int kDirections = 16;
     constexpr double kRims[] = {7.0, 19.0, 32.0}; // from the point to the label, design pixels
@@ -135,9 +136,12 @@ void labelOfAdvance(CanvasPainter &painter, const LayerFrame &frame, const Momen
             }
         }
     }
-    painter.label(at, found.value_or(Pixel(10.0, -24.0)), text, frame.theme.base, labelPlate(frame.theme), font);
+    if (!found && label.optional) {
+        return;
+    }
+    painter.label(at, found.value_or(Pixel(10.0, -24.0)), text, label.colour, labelPlate(frame.theme), font);
     if (!beside) {
-        painter.leader(at, frame.theme.base);
+        painter.leader(at, label.colour);
     }
 }
 

@@ -390,7 +390,7 @@ void reserveSmallOutlines(const Shell &context, CanvasPainter &painter) {
 /// Keeps labels on the canvas, and clear of the plates on it, as placed in the last frame, of the selected nodes and of
 /// what the tool draws.
 void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) {
-    painter.keepInside(context.view.camera.viewport);
+    painter.keepInside(context.view.open);
     for (const auto &[name, widget] : context.widgets.all()) {
         const bool plate = name == "canvas/tools" || name.starts_with("plate/") || name == "hints" ||
                            name == "canvas/plate" || name == "canvas/news" || name == "run" ||

@@ -1,4 +1,5 @@
 #include "ui/parts/shown_panels.hpp"
+#include "ui/shell/cut_edges.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/section_heights.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -179,23 +180,6 @@ void followSelection(Shell &context) {
 /// comes would wrap texts, and these would make it go again, for ever.
 void reserveScrollbar(float width) {
     ImGui::SetNextWindowContentSize({std::max(1.0F, width - ImGui::GetStyle().ScrollbarSize), 0.0F});
-}
-
-/// Shades the lower edge of the current window where content goes on below it, and the upper edge where it goes on
-/// above, so that a row that is cut looks like one to scroll to.
-void shadeCutEdges(const Shell &context) {
-    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    const float depth = std::min(context.px(20), 0.5F * size.y),
-                right = at.x + size.x - ImGui::GetStyle().ScrollbarSize;
-    const ImU32 whole = context.theme.panel, none = fade(context.theme.panel, 0.0);
-    ImDrawList &list = *ImGui::GetWindowDrawList();
-    if (ImGui::GetScrollY() + 1.0F < ImGui::GetScrollMaxY()) {
-        const float bottom = at.y + size.y;
-        list.AddRectFilledMultiColor({at.x, bottom - depth}, {right, bottom}, none, none, whole, whole);
-    }
-    if (ImGui::GetScrollY() > 1.0F) {
-        list.AddRectFilledMultiColor(at, {right, at.y + depth}, whole, whole, none, none);
-    }
 }
 
 /// Draws the content of a panel in `height` pixels and returns its whole height.

@@ -3,6 +3,7 @@
 #include "ui/lessons/lesson_list.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/lessons/page_check.hpp"
+#include "ui/shell/cut_edges.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -267,6 +268,7 @@ void drawOpen(Shell &context) {
     const float footer = context.px(40);
     ImGui::BeginChild("page", {0, ImGui::GetContentRegionAvail().y - footer}, false, ImGuiWindowFlags_NoNav);
     drawPage(context, *context.lessons.open);
+    shadeCutEdges(context);
     ImGui::EndChild();
     ImGui::Dummy({0, context.px(2)});
     drawFooter(context, *context.lessons.open);

@@ -157,10 +157,7 @@ MeshChip meshChip(const Shell &context) {
                    : MeshChip{"mesh of a file", theme.muted, "A mesh read from a file, unchanged"};
     }
     if (context.run.outOfDate()) {
-        // A drawing tool takes digits as coordinates.
-        return {std::string_view(context.tools.current().id()) == "select" ? "out of date, press 2"
-                                                                           : "out of date, click to mesh",
-                theme.warn, "The drawing has changed; click to mesh it again"};
+        return {"out of date", theme.warn, "The drawing has changed; click to mesh it again"};
     }
     if (context.run.preview()) {
         return {"coarse preview", theme.warn, "Live meshing shows a coarser mesh; click to make the whole one"};
