@@ -7,6 +7,7 @@
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/shared_spacing.hpp"
 #include "ui/background/latest.hpp"
+#include "ui/workspace/document/layer_planner.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -57,6 +58,9 @@ class DocumentExaminer {
     /// Returns the preview and the raster fetched last; never null.
     const std::shared_ptr<const DocumentPreview> &preview() const { return worker_.now().preview; }
     const std::shared_ptr<const SpacingRaster> &raster() const { return worker_.now().raster; }
+    /// Plans the boundary layers of the document, apart from its preview.
+    LayerPlanner &layers() { return layers_; }
+    const LayerPlanner &layers() const { return layers_; }
 
   private:
     struct RasterRequest {
@@ -80,6 +84,7 @@ class DocumentExaminer {
 
     Request wanted_;
     Latest<Request, Answer> worker_;
+    LayerPlanner layers_;
 };
 
 } // namespace forefront
