@@ -59,6 +59,7 @@ class JointMover {
             }
         }
         keepEndsOnSegments();
+        carryCorners();
         return std::move(document_);
     }
 
@@ -210,6 +211,25 @@ class JointMover {
             }
             if (!targets.empty()) {
                 place = moved(*place, place->nodes, targets);
+            }
+        }
+    }
+
+    /// Moves the corners of mapped regions with the nodes that they are, unless the command has moved them itself.
+    void carryCorners() {
+        if (document_.mapped.empty()) {
+            return;
+        }
+        collect();
+        for (MappedSpec &spec : document_.mapped) {
+            if (std::ranges::find(before_.mapped, spec) == before_.mapped.end()) {
+                continue;
+            }
+            for (Vec2 &corner : spec.corners) {
+                const auto node = std::ranges::find_if(moved_, [&](const MovedPlace &place) {
+                    return distance(place.from, corner) <= index_.tolerance();
+                });
+                corner = node != moved_.end() ? node->to : corner;
             }
         }
     }

@@ -18,8 +18,9 @@ class JointIndex;
 /// Where the command has moved a handle, those joined with it move too, and nodes on a moved segment keep their place
 /// along it. An end of an open path that lies on a segment and is moved by itself stays on it. Where two paths share a
 /// segment, a node inserted into one is inserted into the other, and a node removed from both sides of it is removed
-/// from both. Errors: joined-node if a removed node joins other shapes that need it; joined-locked if a locked shape
-/// would have to move. To detach a node, apply the command without this.
+/// from both. Corners given for mapped regions go with their nodes. Errors: joined-node if a removed node joins other
+/// shapes that need it; joined-locked if a locked shape would have to move. To detach a node, apply the command without
+/// this.
 Result<Document> carryJoints(const Document &before, const Document &after);
 
 /// The joints of a document, found once so that each step of a drag is cheap. Keeps the document alive.

@@ -93,6 +93,9 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Request &
     if (domain->segments.size() <= kMaxMapped || !domain->regionMarkers.empty()) {
         preview->faces = valid ? std::make_shared<const FaceMap>(domain, faces) : repairedFaceMap(*domain, stop);
     }
+    for (std::size_t k = 0; valid && k < job->mapped.size(); ++k) {
+        preview->mapped[job->mapped[k].region] = mappedOutlines(job->mapped[k], *domain, faces);
+    }
     Progress progress;
     progress.stop = stop;
     const GivenSegments segments = job->options.keepBoundary ? GivenSegments::Kept : GivenSegments::Divided;
