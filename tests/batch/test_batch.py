@@ -203,8 +203,10 @@ class Meshing(Case):
         self.assertEqual(stats["elements_by_kind"], {"quadrilateral9": stats["elements"]})
         triangles = self.stats("disc.json", "--elements", "triangles", "--order", "1")
         self.assertNotIn("elements_by_kind", triangles)
-        refused = self.call("film", "disc.json", "-o", "a.gif", code=1).stderr
-        self.assertIn("[not-stepped]", refused)
+        self.call("film", "disc.json", "-o", "a.gif", "--frames", "5", "--width", "120")
+        self.assertEqual((self.path / "a.gif").read_bytes()[:6], b"GIF89a")
+        self.call("film", "disc.json", "-o", "a.svg", "--at", "1")
+        self.assertRegex(self.read("a.svg"), r"d=\"M[^MZ]*L[^MZ]*L[^MZ]*L[^MZ]*Z\n")  # a square, whole
         text = self.read("disc.json")
         for wrong in (("quads", "hexagons"), ("2, \"quad", "3, \"quad"), ("9}", "7}")):
             self.write("wrong.json", text.replace(*wrong))

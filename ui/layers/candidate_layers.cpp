@@ -1,3 +1,4 @@
+#include "core/teaching/moment/candidate_sides.hpp"
 #include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/advance_labels.hpp"
@@ -6,7 +7,6 @@
 #include "ui/workspace/view/candidate_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -26,46 +26,6 @@ Colour verdictColour(const Theme &theme, Verdict verdict, bool judged) {
         return theme.candidate;
     }
     return verdict == Verdict::Accepted ? theme.accepted : theme.bad;
-}
-
-using Side = std::array<Vec2, 2>;
-
-/// Returns the sides of the elements made beyond their base, without the one that the two halves of a square share.
-std::vector<Side> newSidesOf(const AdvanceExplanation &e) {
-    std::vector<Side> sides;
-    for (const auto &[p, q, r] : e.made) {
-        sides.push_back({q, r});
-        sides.push_back({r, p});
-    }
-    if (e.square == SquareKind::None || e.made.size() != 2) {
-        return sides;
-    }
-    std::erase_if(sides, [&](const Side &side) {
-        const auto has = [&](std::size_t half, Vec2 node) {
-            return std::ranges::find(e.made[half], node) != e.made[half].end();
-        };
-        return has(0, side[0]) && has(0, side[1]) && has(1, side[0]) && has(1, side[1]);
-    });
-    return sides;
-}
-
-/// Returns the sides that a candidate would add.
-std::vector<Side> sidesOf(const AdvanceExplanation &e, const CandidateTrace &c) {
-    switch (c.square) {
-    case SquareKind::Row:
-        return {{c.over.front(), c.position}, {c.position, c.over.back()}};
-    case SquareKind::Opening:
-        return {{c.over.front(), c.second}, {c.second, c.position}, {c.position, c.over.back()}};
-    case SquareKind::Closing:
-        return {{c.second, c.position}};
-    case SquareKind::None:
-        break;
-    }
-    std::vector<Side> sides;
-    for (const Vec2 from : c.over.empty() ? std::vector<Vec2>{e.a, e.b} : c.over) {
-        sides.push_back({from, c.position});
-    }
-    return sides;
 }
 
 /// Draws a candidate so that its shape alone tells its verdict: a disc with a tick is accepted, a ring with a cross
@@ -116,7 +76,7 @@ class CandidatesLayer final : public Layer {
             for (const auto &[p, q, r] : e.made) {
                 painter.triangle(p, q, r, fade(theme.accepted, 0.2 + 0.35 * frame.fresh));
             }
-            for (const Side &side : newSidesOf(e)) {
+            for (const PlacedSide &side : newSidesOf(e)) {
                 painter.line(side[0], side[1], theme.accepted, 2.0);
             }
         }
@@ -223,7 +183,7 @@ class TestsLayer final : public Layer {
             const Colour colour = trying ? theme.candidate : verdictColour(theme, candidate.verdict, true);
             const bool accepted = tried && candidate.verdict == Verdict::Accepted;
             if (!accepted || !moment.updated || chosen) {
-                for (const Side &side : sidesOf(e, candidate)) {
+                for (const PlacedSide &side : sidesOf(e, candidate)) {
                     painter.dashed(side[0], side[1], fade(colour, chosen ? 1.0 : 0.8), chosen ? 2.5 : 1.5, 5.0);
                 }
             }

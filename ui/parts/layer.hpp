@@ -42,6 +42,7 @@ struct LayerFrame {
     std::uint64_t revision; ///< of the document
     const DocumentPreview &preview;
     std::shared_ptr<const SpacingRaster> raster;
+    std::shared_ptr<const LayerPlan> layerPlan; ///< of the document or, until it is found, of an earlier revision
     const Selection &selection;
     std::optional<Vec2> pointer;          ///< place under the pointer while it is over the canvas
     std::optional<Vec2> facePlace;        ///< in the face that the tool points at

@@ -222,6 +222,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .revision = context.document.revision(),
             .preview = *context.preview,
             .raster = raster,
+            .layerPlan = context.examiner.layers().plan(),
             .selection = context.selection,
             .pointer = context.view.pointer,
             .facePlace = context.view.facePlace,

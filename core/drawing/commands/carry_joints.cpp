@@ -1,5 +1,6 @@
 #include "core/drawing/commands/carry_joints.hpp"
 
+#include "core/drawing/commands/carry_corners.hpp"
 #include "core/drawing/commands/joint_mover.hpp"
 #include "core/drawing/commands/shared_curves.hpp"
 #include "core/drawing/commands/shared_segments.hpp"
@@ -42,7 +43,10 @@ Result<Document> carryThrough(const JointIndex &index, JointCorrection &correcti
     }
     next = correction.correct(std::move(followed->document), followed->given, followed->turned);
     const Diagnostics faults = next ? faultOfFollower(after, *next) : Diagnostics();
-    return faults.empty() ? next : Result<Document>(faults);
+    if (!faults.empty()) {
+        return faults;
+    }
+    return next ? carryCorners(index.document(), *std::move(next), index.tolerance()) : std::move(next);
 }
 
 } // namespace

@@ -21,9 +21,9 @@ class JointIndex;
 /// round corners, to the place nearest to where the command put it; a side on which several moved nodes of a shape lie
 /// goes with them. Other neighbours move as little as their joints allow. Where two paths share a segment, a node
 /// inserted into one is inserted into the other, and a node removed from both sides of it is removed from both; a
-/// Bézier segment that they share keeps one form. Errors: joined-node if a removed node joins other shapes that need
-/// it; joined-locked if a locked shape would have to change; joint-conflict if a neighbour cannot follow. To detach a
-/// node, apply the command without this.
+/// Bézier segment that they share keeps one form. Corners given for mapped regions go with their nodes. Errors:
+/// joined-node if a removed node joins other shapes that need it; joined-locked if a locked shape would have to change;
+/// joint-conflict if a neighbour cannot follow. To detach a node, apply the command without this.
 Result<Document> carryJoints(const Document &before, const Document &after);
 
 /// The joints of a document, found once so that each step of a drag is cheap. Keeps the document alive. For one thread.
