@@ -12,7 +12,6 @@
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -209,13 +208,18 @@ TEST_CASE("Lessons: a task done by Show me counts as shown, in the list and in t
 
 TEST_CASE("Lessons: the pane scrolls to the verdict and its explanation, and to the top of the next page") {
     Keeper keeper({});
-    for (const auto &[lesson, page, right] :
-         {std::tuple("12-three-dimensions", 4, 2), std::tuple("9-adaptive", 2, 2), std::tuple("10-dynamic-grid", 3, 2),
-          std::tuple("11-many-at-once", 3, 3), std::tuple("11-many-at-once", 4, 1)}) {
-        CAPTURE(lesson);
-        CAPTURE(page);
-        keeper.open(lesson, static_cast<std::size_t>(page));
-        keeper.key(key::k0 + right, kAlt);
+    struct Asked {
+        const char *lesson;
+        std::size_t page;
+        int right;
+    };
+    for (const Asked &asked :
+         {Asked{"12-three-dimensions", 4, 2}, Asked{"9-adaptive", 2, 2}, Asked{"10-dynamic-grid", 3, 2},
+          Asked{"11-many-at-once", 3, 3}, Asked{"11-many-at-once", 4, 1}}) {
+        CAPTURE(asked.lesson);
+        CAPTURE(asked.page);
+        keeper.open(asked.lesson, asked.page);
+        keeper.key(key::k0 + asked.right, kAlt);
         keeper.settle();
         for (const char *part : {"lesson/right", "lesson/why"}) {
             CAPTURE(part);
@@ -312,6 +316,20 @@ TEST_CASE("Lessons: the panels that a page is about have room at 1280 by 800, an
     keeper.open("9-adaptive", 7);
     CHECK(isInSight("adapt/start"));
     CHECK(isInSight("steps/5"));
+    keeper.click("adapt/expression");
+    keeper.type("atan(2*(hypot(x-10,y-7)-4))");
+    keeper.key(key::kEnter);
+    keeper.settle();
+    keeper.click("adapt/error");
+    keeper.key('A', kControl);
+    keeper.type("20");
+    keeper.key(key::kEnter);
+    keeper.settle();
+    keeper.click("adapt/start");
+    keeper.until([&] { return !keeper.context().adaptation.busy(); });
+    keeper.settle();
+    CHECK(isInSight("adapt/round/3"));
+    CHECK(isInSight("adapt/slope"));
 }
 
 TEST_CASE("Lessons: colours of a mesh that a lesson has shown end with it") {

@@ -1,4 +1,5 @@
 #include "tests/ui/meshed_square.hpp"
+#include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/presentation.hpp"
 
@@ -75,10 +76,10 @@ TEST_CASE("Presentation: A, B, C and the candidates keep their labels, in larger
     driver.settle();
     REQUIRE(driver.has("presentation/1"));
     const std::map<std::string, double> presented = labels();
-    for (const auto &[text, height] : before) {
-        CAPTURE(text);
-        REQUIRE(presented.contains(text));
-        CHECK(presented.at(text) > 1.3 * height);
+    for (const auto &label : before) {
+        CAPTURE(label.first);
+        REQUIRE(presented.contains(label.first));
+        CHECK(presented.at(label.first) > 1.3 * label.second);
     }
 }
 
