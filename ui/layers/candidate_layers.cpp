@@ -18,7 +18,7 @@ constexpr std::size_t kMaxRanks = 7;
 
 /// Returns the length of the base segment on the screen, in design pixels: a measure of the room for labels.
 double roomOf(const LayerFrame &frame, const AdvanceExplanation &advance) {
-    return frame.camera.zoom * distance(advance.a, advance.b) / frame.scale;
+    return frame.camera.zoom * distance(advance.a, advance.b) / frame.roomScale;
 }
 
 Colour verdictColour(const Theme &theme, Verdict verdict, bool judged) {

@@ -55,7 +55,7 @@ class FrontLayer final : public Layer {
         }
         const AdvanceExplanation &e = *moment.advance;
         const Theme &theme = frame.theme;
-        const double pixels = frame.camera.zoom * distance(e.a, e.b) / frame.scale;
+        const double pixels = frame.camera.zoom * distance(e.a, e.b) / frame.roomScale;
         painter.line(e.a, e.b, theme.base, 5.0);
         painter.dot(e.a, 4.5, theme.base);
         painter.dot(e.b, 4.5, theme.base);

@@ -210,8 +210,9 @@ void addFigures(Cells &cells, Shell &context) {
     const bool quads = context.run.makesQuads();
     const double predicted = context.preview->estimatedElements / (quads ? kTrianglesPerQuad : 1.0);
     const bool differs = run.quality.elements == 0 || context.run.preview() || context.run.outOfDate();
+    const std::string rounded = ui::count(roundedTo2(predicted));
     if (predicted > 0.0 && differs &&
-        cells.addRight("estimate", "about " + ui::count(roundedTo2(predicted)) + (quads ? " quads" : " triangles"),
+        cells.addRight("estimate", "about " + rounded + (quads ? " quad" : " triangle") + (rounded == "1" ? "" : "s"),
                        context.theme.muted)) {
         cells.clicked("estimate");
         ui::tooltip(context, quads ? "Predicted number of quadrilaterals; it may differ where sizes change fast"
