@@ -52,9 +52,27 @@ Examples:
         triangles in the region soil, quadrilaterals where they are well shaped elsewhere
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
-  forefront mesh part.dxf -o part.inp --size 2
-        layers of a drawing as boundary parts: LOAD becomes the node set LOAD and the surface S_LOAD in the Abaqus input,
-        which a job of CalculiX reads by *INCLUDE, INPUT=part.inp
+  forefront mesh part.dxf -o part.inp --size 2 --elements quads --order 2
+        layers of a drawing as boundary parts: LOAD becomes the node set LOAD and the surface S_LOAD in the Abaqus input.
+        The command "ccx job" solves a file job.inp such as this, in N and mm; "cgx job.frd" shows the stresses:
+          *INCLUDE, INPUT=part.inp
+          *MATERIAL, NAME=STEEL
+          *ELASTIC
+          210000, 0.3
+          *SOLID SECTION, ELSET=EALL, MATERIAL=STEEL
+          8
+          ** 8 is the thickness; the nodes of the layer FIXED do not move; a pressure of 10 acts on the layer LOAD
+          *BOUNDARY
+          FIXED, 1, 2
+          *STEP
+          *STATIC
+          *DSLOAD
+          S_LOAD, P, 10
+          *NODE FILE, OUTPUT=2D
+          U
+          *EL FILE
+          S
+          *END STEP
   forefront mesh plate.json -o plate.foam
         a case of OpenFOAM, one cell thick
   forefront mesh lake.geojson -o lake.14 --elevation depth.asc
