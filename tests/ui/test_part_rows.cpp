@@ -234,7 +234,7 @@ void drawRegion(Draughtsman &driver, const std::vector<Vec2> &corners, Vec2 mark
 } // namespace
 
 TEST_CASE("Parts: the corners of a mapped region are chosen in the inspector, and drawn") {
-    Draughtsman driver({}, {1280, 1600}); // the inspector has room for all rows
+    Draughtsman driver({}, {1280, 1600});                                         // the inspector has room for all rows
     drawRegion(driver, {{2, 2}, {8, 2}, {8, 5}, {5, 5}, {5, 8}, {2, 8}}, {3, 3}); // five corners below 150 degrees
     driver.click("inspector/mapped");
     driver.settle();
