@@ -390,6 +390,14 @@ class Lessons(unittest.TestCase):
         self.window.evaluate(f"document.getElementById('typed').value = '{number}'")
         self.window.click("#answers button")
 
+    def saved(self):
+        """Returns the answers as the page would save them."""
+        self.window.evaluate("HTMLAnchorElement.prototype.click = () => {}")
+        self.window.evaluate("void (URL.createObjectURL = (blob) => { blob.text().then((text) => { window.saved = text; }); return ''; })")
+        self.window.click("#save")
+        self.wait("answers", "Boolean(window.saved)")
+        return json.loads(self.window.evaluate("window.saved"))
+
     def wait(self, what, condition):
         for _ in range(200):
             if self.window.evaluate(condition):
@@ -424,6 +432,10 @@ class Lessons(unittest.TestCase):
         self.assertEqual(self.window.text("#reply"), "")
         self.wait("answer", "document.getElementById('show').click() || document.getElementById('reply').className === 'right'")
         self.assertIn("after 10 advances", self.window.text("#reply"))
+        pages = self.saved()["pages"]
+        self.assertEqual([answer["right"] for answer in pages[0]["answers"]], [False, True])
+        self.assertNotIn("shown", pages[0])
+        self.assertEqual((pages[2]["shown"], pages[2]["answers"]), (True, []))  # by Show me, which is no answer
         self.assertEqual(self.window.complaints, [])
 
     def test_the_lesson_on_quadrilaterals_shows_its_run_and_its_tasks(self):

@@ -98,7 +98,7 @@ TEST_CASE("Joints: an end on a segment moves with it, and stays on it when dragg
 
     const Document dragged = jointed(document, setHandle(document, {2, 0}, {3, 0.7}));
     CHECK(shapeOfId(dragged, 2).nodes == std::vector<Vec2>{{3, 0}, {2, 2}});
-    const Document beyond = jointed(document, setHandle(document, {2, 0}, {9, 0.7}));
+    const Document beyond = jointed(document, setHandle(document, {2, 0}, {9, -0.7}));
     CHECK(shapeOfId(beyond, 2).nodes[0] == Vec2{4, 0});
     const Document inner = jointed(document, setHandle(document, {2, 1}, {3, 3}));
     CHECK(shapeOfId(inner, 2).nodes == std::vector<Vec2>{{2, 0}, {3, 3}});

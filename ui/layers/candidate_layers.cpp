@@ -18,7 +18,7 @@ constexpr std::size_t kMaxRanks = 7;
 
 /// Returns the length of the base segment on the screen, in design pixels: a measure of the room for labels.
 double roomOf(const LayerFrame &frame, const AdvanceExplanation &advance) {
-    return frame.camera.zoom * distance(advance.a, advance.b) / frame.scale;
+    return frame.camera.zoom * distance(advance.a, advance.b) / frame.roomScale;
 }
 
 Colour verdictColour(const Theme &theme, Verdict verdict, bool judged) {
@@ -88,8 +88,8 @@ class CandidatesLayer final : public Layer {
         }
         if (moment.idealKnown) {
             painter.cross(e.ideal, 4.5, theme.base, 1.75);
-            if (roomOf(frame, e) > 60.0) {
-                labelOfAdvance(painter, frame, moment, e.ideal, e.ideal - midpoint(e.a, e.b), "C");
+            if (roomOf(frame, e) > kLabelledBase) {
+                labelOfAdvance(painter, frame, moment, {e.ideal, e.ideal - midpoint(e.a, e.b), "C", theme.base});
             }
         }
     }
@@ -120,14 +120,15 @@ class CandidatesLayer final : public Layer {
             return;
         }
         for (std::size_t i = 0; words && i < moment.candidates; ++i) {
-            painter.reserve(e.candidates[i].position, 5.0); // no label covers another candidate
+            painter.reserve(e.candidates[i].position, 5.0); // no label covers a candidate
         }
         const std::size_t labelled = words ? std::min(moment.candidates, kMaxRanks) : 0;
         for (std::size_t i = 0; i < labelled; ++i) {
             const CandidateTrace &candidate = e.candidates[i];
             const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
-            painter.freeLabel(candidate.position, {11.0, -7.0}, candidateLabel(candidate, i, moment), colour,
-                              labelPlate(theme), frame.fonts.small);
+            labelOfAdvance(
+                painter, frame, moment,
+                {candidate.position, {1.0, 0.0}, candidateLabel(candidate, i, moment), colour, /*optional=*/true});
         }
     }
 

@@ -33,8 +33,9 @@ struct LayerFrame {
     const Camera &camera;
     const Theme &theme;
     const Fonts &fonts;
-    double scale;    ///< pixels per design pixel
-    double gridStep; ///< see Snapping
+    double scale;     ///< pixels per design pixel
+    double roomScale; ///< the same where the room for labels is measured, which a presentation does not make scarcer
+    double gridStep;  ///< see Snapping
     const SessionSnapshot &snapshot;
     const Breakpoints &breakpoints;
     const Document &document;

@@ -1,4 +1,9 @@
 """Runs, moments and pages."""
+import os
+import signal
+import threading
+import time
+
 import numpy as np
 import pytest
 
@@ -32,6 +37,27 @@ def test_back_and_forth_gives_the_same_state(rectangle):
     run.seek(3)
     assert run.position == 3 and run.mesh.element_count == 3
     assert run.retreat(10) == 3
+
+
+def test_ctrl_c_stops_a_move_and_the_run_goes_on(rectangle):
+    run = ff.run(rectangle, 0.02)
+    sent = []
+
+    def interrupt():
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.1, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        while True:
+            run.advance(10**12)
+            run.retreat(10**12)
+    assert time.monotonic() - sent[0] < 1.0
+    timer.join()
+    run.seek(0)
+    assert run.advance(10) == 10 and run.mesh.element_count >= 10
+    assert run.finish().hash == ff.mesh(rectangle, 0.02).hash
 
 
 def test_a_run_of_quadrilaterals_steps_forward_and_back(rectangle):
