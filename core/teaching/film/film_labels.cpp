@@ -31,7 +31,9 @@ int scoreDecimals(const AdvanceExplanation &advance) {
     constexpr double kEqual = 1e-8; // within rounding
     std::vector<double> scores;
     for (const CandidateTrace &candidate : advance.candidates) {
-        scores.push_back(candidate.score);
+        if (candidate.square == SquareKind::None) { // squares are tried in turn, and labelled without a score
+            scores.push_back(candidate.score);
+        }
     }
     std::sort(scores.begin(), scores.end());
     const auto equal = [](double a, double b) { return b - a <= kEqual * std::abs(b); };
@@ -113,6 +115,9 @@ void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double
     }
     for (std::size_t k = 0; k < moment.candidates; ++k) {
         labels.avoid(at(advance.candidates[k].position));
+        if (advance.candidates[k].square == SquareKind::Opening) {
+            labels.avoid(at(advance.candidates[k].second));
+        }
     }
     const Vec2 middle = 0.5 * (a + b);
     labels.add(a, advance.a, "A", Ink::Base, a - c);
@@ -124,8 +129,14 @@ void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double
     for (std::size_t k = 0; k < moment.candidates && moment.scoresKnown; ++k) {
         const CandidateTrace &candidate = advance.candidates[k];
         const bool withdrawn = candidate.verdict == Verdict::Withdrawn && moment.judged[k];
-        const std::string text =
-            std::to_string(k + 1) + ": " + fixedText(candidate.score, decimals) + (withdrawn ? " too near" : "");
+        const bool refused = candidate.square != SquareKind::None && moment.judged[k] &&
+                             candidate.verdict != Verdict::Accepted && candidate.verdict != Verdict::NotTried;
+        const std::string what =
+            candidate.square == SquareKind::None ? fixedText(candidate.score, decimals) : squareText(candidate.square);
+        const std::string text = std::to_string(k + 1) + ": " + what +
+                                 (refused     ? std::string(", ") + verdictText(candidate.verdict)
+                                  : withdrawn ? " too near"
+                                              : "");
         const Vec2 point = at(candidate.position);
         labels.add(point, candidate.position, text, Ink::Text, point - middle);
     }

@@ -8,9 +8,9 @@
 
 namespace forefront {
 
-/// Adds the labels of an advance to a scene: A, B and C, each alone in its text, and the rank and score of each
-/// candidate. Labels are kept apart and inside the drawing, whose lower edge is `bottom`, in pixels. `at`: maps the
-/// plane to pixels.
+/// Adds the labels of an advance to a scene: A, B and C, each alone in its text, and the rank of each
+/// candidate with its score or, of a square, what it does and why it is refused. Labels are kept apart and inside the
+/// drawing, whose lower edge is `bottom`, in pixels. `at`: maps the plane to pixels.
 void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double bottom, FilmScene &scene);
 
 } // namespace forefront
