@@ -124,7 +124,7 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
         ->excludes(from)
         ->excludes(steps);
     app.add_flag("--labels", arguments.labels,
-                 "also show A, B, C, the search circle, and the rank and score of each candidate");
+                 "also show A, B, C, the search circle, the rank, score and verdict of each candidate, and a legend");
     app.add_option("--frames", arguments.plan.frames,
                    "maximum number of frames, default 120; long runs skip advances, then steps")
         ->check(wholeNumberWithin(1, FilmPlan::kMaxFrames));
