@@ -127,7 +127,7 @@ if [ $quick = no ]; then
     step 'build with address and undefined-behaviour sanitizers' sh app/build.sh asan-ubsan \
         forefront forefront_fuzz_regression $programs -DFOREFRONT_EDITOR=$editor
     step 'tests with address and undefined-behaviour sanitizers' \
-        run_tests asan-ubsan -R "^($cases/|batch\$|trace\$|fuzz_regression\$)" -LE slow
+        run_tests asan-ubsan -R "^($cases/|batch/|trace\$|fuzz_regression\$)" -LE slow
     # shellcheck disable=SC2086
     step 'build with thread sanitizer' sh app/build.sh tsan $programs -DFOREFRONT_EDITOR=$editor
     step 'tests with thread sanitizer' run_tests tsan -R "^$cases/" -L threads

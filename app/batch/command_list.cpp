@@ -10,7 +10,8 @@ namespace forefront {
 
 namespace {
 
-constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the advancing front technique.
+constexpr const char *kUsageText =
+    R"(Forefront: planar meshes of triangles and quadrilaterals by the advancing front technique.
 
   forefront [FILE...]          open the editor with project or domain files
   forefront view MESH          open a mesh in the editor and inspect its quality

@@ -2,7 +2,7 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/exit_code.hpp"
-#include "app/batch/extrude_option.hpp"
+#include "app/batch/form_options.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/open_boundaries.hpp"
@@ -10,8 +10,6 @@
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/several_inputs.hpp"
-#include "app/batch/tags_option.hpp"
-#include "app/batch/unit_option.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/note.hpp"
@@ -298,11 +296,7 @@ int convertCommand(const CommandLine &line) {
         ->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form)->required();
-    addOpenOption(app, arguments.form);
-    addExtrudeOption(app, arguments.form);
-    addTagsOption(app, arguments.form);
-    addUnitOption(app, arguments.form, "none, since no unit is read from mesh files");
-    addElevationOption(app, arguments.form.elevation);
+    addFormOptions(app, arguments.form, "none, since no unit is read from mesh files");
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
     app.add_flag(
         "--recombine", arguments.recombine,
@@ -324,19 +318,7 @@ int convertCommand(const CommandLine &line) {
     }
     std::string wrong = checkFormats(arguments.outputs, arguments.formats);
     if (wrong.empty()) {
-        wrong = checkOpen(arguments.form, pairFormats(arguments.outputs, arguments.formats));
-    }
-    if (wrong.empty()) {
-        wrong = checkExtrude(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
-    }
-    if (wrong.empty()) {
-        wrong = checkTags(arguments.form, pairFormats(arguments.outputs, arguments.formats));
-    }
-    if (wrong.empty()) {
-        wrong = checkUnit(arguments.form, pairFormats(arguments.outputs, arguments.formats));
-    }
-    if (wrong.empty()) {
-        wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));
+        wrong = checkForm(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
     }
     if (wrong.empty()) {
         const Diagnostics faults = checkElevationExpression(arguments.form.elevation);

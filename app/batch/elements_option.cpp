@@ -2,7 +2,7 @@
 
 #include "app/batch/named_tags.hpp"
 #include "app/batch/option_table.hpp"
-#include "app/batch/suggestion.hpp"
+#include "app/batch/setting_list.hpp"
 
 #include <cstdint>
 #include <string_view>
@@ -23,13 +23,12 @@ std::string parseElements(ElementsArguments &arguments) {
     for (const std::string &text : arguments.texts) {
         const std::size_t colon = text.find(':');
         const std::string word = text.substr(0, colon);
-        const std::optional<Elements> shapes = fromWord<Elements>(word);
-        if (!shapes) {
-            return "--elements: unknown shapes '" + word + "'; expected " + wordList<Elements>() +
-                   suggestion(word, wordsOf<Elements>());
+        Elements shapes = {};
+        if (const std::string wrong = setWord("shapes", word, shapes); !wrong.empty()) {
+            return "--elements: " + wrong;
         }
         if (colon != std::string::npos) {
-            arguments.regions.emplace_back(text.substr(colon + 1), *shapes);
+            arguments.regions.emplace_back(text.substr(colon + 1), shapes);
         } else if (arguments.everywhere) {
             return "--elements is given twice without a region; expected it once, and once for each region";
         } else {

@@ -134,7 +134,7 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
         ->check(numberWithin(FilmPlan::kSlowest, FilmPlan::kFastest));
     app.add_option("--layers", arguments.layers,
                    "comma-separated: mesh, boundary, front, candidates, grid, caption, labels, improvement (what its "
-                   "steps change)")
+                   "steps change), colours (of the nodes of a front of quadrilaterals)")
         ->delimiter(',')
         ->check(oneOf(wordsOf<FilmLayer>()));
     addBoxOption(app, "--view", "part of the plane shown; default: the whole domain", arguments.plan.view);

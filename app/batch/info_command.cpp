@@ -10,6 +10,7 @@
 #include "core/engine/base/hash.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/base/version.hpp"
+#include "core/engine/domain/curved_bounds.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/mesh_extent.hpp"
 #include "core/engine/mesh/verify.hpp"
@@ -117,7 +118,7 @@ double lengthOf(const Domain &domain, const DomainSegment &segment) {
 
 void describeDomain(const Domain &domain, FileInfo &info) {
     info.kind = "domain";
-    info.bounds = domain.bounds();
+    info.bounds = curvedBounds(domain);
     info.counts = {{"nodes", domain.nodes.size()},
                    {"segments", domain.segments.size()},
                    {"curves", domain.curves.size()},

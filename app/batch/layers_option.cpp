@@ -3,7 +3,6 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/named_tags.hpp"
 #include "app/batch/setting_list.hpp"
-#include "app/batch/suggestion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +16,7 @@ namespace {
 /// Sets one value of a specification. Returns what is wrong.
 std::string setValue(std::string_view key, std::string_view value, LayerSpec &spec) {
     if (key == "type") {
-        const std::optional<LayerCells> cells = fromWord<LayerCells>(value);
-        spec.cells = cells.value_or(spec.cells);
-        return cells ? ""
-                     : "unknown type '" + std::string(value) + "'; expected " + wordList<LayerCells>() +
-                           suggestion(value, wordsOf<LayerCells>());
+        return setWord("type", value, spec.cells);
     }
     const std::optional<double> number = numberIn(value);
     if (!number) {

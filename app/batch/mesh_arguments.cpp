@@ -2,12 +2,10 @@
 
 #include "app/batch/cli_options.hpp"
 #include "app/batch/crack_option.hpp"
-#include "app/batch/elevation_option.hpp"
-#include "app/batch/extrude_option.hpp"
 #include "app/batch/fix_option.hpp"
+#include "app/batch/form_options.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/mapped_option.hpp"
-#include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_table.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/periodic_option.hpp"
@@ -15,8 +13,6 @@
 #include "app/batch/rules_option.hpp"
 #include "app/batch/several_inputs.hpp"
 #include "app/batch/suggestion.hpp"
-#include "app/batch/tags_option.hpp"
-#include "app/batch/unit_option.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -56,9 +52,27 @@ Examples:
         triangles in the region soil, quadrilaterals where they are well shaped elsewhere
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
-  forefront mesh part.dxf -o part.inp --size 2
-        layers of a drawing as boundary parts: LOAD becomes the node set LOAD and the surface S_LOAD in the Abaqus input,
-        which a job of CalculiX reads by *INCLUDE, INPUT=part.inp
+  forefront mesh part.dxf -o part.inp --size 2 --elements quads --order 2
+        layers of a drawing as boundary parts: LOAD becomes the node set LOAD and the surface S_LOAD in the Abaqus input.
+        The command "ccx job" solves a file job.inp such as this, in N and mm; "cgx job.frd" shows the stresses:
+          *INCLUDE, INPUT=part.inp
+          *MATERIAL, NAME=STEEL
+          *ELASTIC
+          210000, 0.3
+          *SOLID SECTION, ELSET=EALL, MATERIAL=STEEL
+          8
+          ** 8 is the thickness; the nodes of the layer FIXED do not move; a pressure of 10 acts on the layer LOAD
+          *BOUNDARY
+          FIXED, 1, 2
+          *STEP
+          *STATIC
+          *DSLOAD
+          S_LOAD, P, 10
+          *NODE FILE, OUTPUT=2D
+          U
+          *EL FILE
+          S
+          *END STEP
   forefront mesh plate.json -o plate.foam
         a case of OpenFOAM, one cell thick
   forefront mesh lake.geojson -o lake.14 --elevation depth.asc
@@ -204,11 +218,7 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
         ->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form);
-    addOpenOption(app, arguments.form);
-    addExtrudeOption(app, arguments.form);
-    addTagsOption(app, arguments.form);
-    addUnitOption(app, arguments.form, "the unit of the input, if it has one");
-    addElevationOption(app, arguments.form.elevation);
+    addFormOptions(app, arguments.form, "the unit of the input, if it has one");
     auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     addRasterOptions(app, *spacing, arguments.rasters, arguments.presets);
@@ -264,8 +274,8 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     addMaxElementsOption(app, arguments.maxElements);
     app.add_option("--stats", arguments.statistics, "write statistics as JSON; -: print them instead of the summary")
         ->type_name("FILE.json");
-    auto *const dry = app.add_flag("--dry-run", arguments.dryRun,
-                                   "estimate elements, memory and time without meshing; nothing is written");
+    auto *const dry =
+        app.add_flag("--dry-run", arguments.dryRun, "estimate elements, memory and time; nothing is written");
     app.add_flag("--json", arguments.json, "print the estimate of --dry-run as JSON")->needs(dry);
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
     addConfigOption(app);
@@ -305,19 +315,7 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
                 ": no mesh is written; add -o OUT";
     }
     if (wrong.empty()) {
-        wrong = checkOpen(arguments.form, pairFormats(arguments.outputs, arguments.formats));
-    }
-    if (wrong.empty()) {
-        wrong = checkExtrude(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
-    }
-    if (wrong.empty()) {
-        wrong = checkTags(arguments.form, pairFormats(arguments.outputs, arguments.formats));
-    }
-    if (wrong.empty()) {
-        wrong = checkUnit(arguments.form, pairFormats(arguments.outputs, arguments.formats));
-    }
-    if (wrong.empty()) {
-        wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));
+        wrong = checkForm(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
     }
     if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics && !arguments.dryRun) {
         wrong = "no output; add -o OUT or --stats FILE.json";

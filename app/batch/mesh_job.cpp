@@ -11,6 +11,7 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/domain/curved_bounds.hpp"
 #include "core/files/files.hpp"
 
 #include <filesystem>
@@ -33,7 +34,7 @@ Result<ReadJob> readDomainOf(const Input &input, ImportNotes &notes) {
     if (!file) {
         return file.faults();
     }
-    const Box2 box = file->domain.bounds();
+    const Box2 box = curvedBounds(file->domain);
     MeshingJob job{std::move(file->domain), std::move(file->spacing), {}};
     job.cracks = std::move(file->cracks);
     job.periodic = file->periodic;

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "app/batch/suggestion.hpp"
+#include "core/engine/base/enum_words.hpp"
+
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +28,16 @@ struct SettingRules {
     /// Sets one value; returns what is wrong with it, empty if nothing is.
     std::function<std::string(std::string_view key, std::string_view value)> set;
 };
+
+/// Sets a value to the one of its enumeration that has the name `word`. Returns what is wrong; `what`: such as "type".
+template <class Enum>
+std::string setWord(const std::string &what, std::string_view word, Enum &value) {
+    const std::optional<Enum> known = fromWord<Enum>(word);
+    value = known.value_or(value);
+    return known ? std::string()
+                 : "unknown " + what + " '" + std::string(word) + "'; expected " + wordList<Enum>() +
+                       suggestion(word, wordsOf<Enum>());
+}
 
 /// Reads a text into `list`, which views it. Returns what is wrong; empty if nothing is.
 std::string readSettings(std::string_view text, const SettingRules &rules, SettingList &list);

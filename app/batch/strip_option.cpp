@@ -2,7 +2,6 @@
 
 #include "app/batch/named_tags.hpp"
 #include "app/batch/setting_list.hpp"
-#include "app/batch/suggestion.hpp"
 #include "core/engine/base/enum_words.hpp"
 
 #include <algorithm>
@@ -26,11 +25,7 @@ bool parsesAs(std::string_view text, Number &value) {
 /// Sets one value of a strip. Returns what is wrong.
 std::string setStripValue(std::string_view key, std::string_view value, StripSpec &spec) {
     if (key == "type") {
-        const std::optional<LayerCells> cells = fromWord<LayerCells>(value);
-        spec.cells = cells.value_or(spec.cells);
-        return cells ? ""
-                     : "unknown type '" + std::string(value) + "'; expected " + wordList<LayerCells>() +
-                           suggestion(value, wordsOf<LayerCells>());
+        return setWord("type", value, spec.cells);
     }
     const bool valid = key == "width"  ? parsesAs(value, spec.width)
                        : key == "rows" ? parsesAs(value, spec.rows)

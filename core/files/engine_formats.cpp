@@ -370,6 +370,7 @@ constexpr std::array kFormats = {
                      .holds = kFirstOrder,
                      .hasOpenBoundaries = true,
                      .holdsElevations = true,
+                     .saysMetres = true,
                      .program = "MIKE 21 FM",
                      .keeps =
                          "Keeps elements, elevations, and the boundary as codes of nodes: 1 land, 2 and more the open "

@@ -1,5 +1,6 @@
 #include "core/files/files.hpp"
 
+#include "core/engine/base/length_unit.hpp"
 #include "core/engine/base/letter_case.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/common/solid_mesh.hpp"
@@ -138,6 +139,10 @@ Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh,
                                                                  "extruded mesh"
                                                                : "the format holds no elevations of nodes; they are "
                                                                  "left out"));
+    }
+    if (format->about.saysMetres && options.unit != LengthUnit::None && options.unit != LengthUnit::Metre) {
+        notes.push_back(exportNote("says-metres", "the file says that it is in metres; the coordinates are in " +
+                                                      std::string(wordOf(options.unit))));
     }
     return named(std::move(notes), path);
 }

@@ -71,6 +71,8 @@ struct FileFormat {
     bool holdsElevations = false;
     /// Its files name the unit of the coordinates; see ExportOptions::unit.
     bool namesUnit = false;
+    /// Its files say that they are in metres, whatever the unit of the coordinates.
+    bool saysMetres = false;
     /// All elements of a file are of one kind.
     bool oneElementKind = false;
     /// Extensions of the files that a mesh is written to, for formats of several files; empty: one file.

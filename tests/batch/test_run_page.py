@@ -161,10 +161,10 @@ class Playing(unittest.TestCase):
         worst = self.window.evaluate(
             "(() => { const run = JSON.parse(document.getElementById('run').textContent), m = run.improved;"
             " const after = improvementOf(m, run.nodes, run.advances.flatMap((a) => a.elements));"
-            " const centres = ({ nodes, elements }) => { const list = []; for (let e = 0; e < elements.length; e += 3) {"
+            " const centres = (nodes, elements) => { const list = []; for (let e = 0; e < elements.length; e += 3) {"
             "  list.push([0, 1].map((k) => [0, 1, 2].reduce((s, i) => s + nodes[2 * elements[e + i] + k] / 3, 0))); }"
             "  return list; };"
-            " const given = centres(after(m.steps.length)), wanted = centres(m);"
+            " const last = after(m.steps.length), given = centres(last.nodes, last.cells.list), wanted = centres(m.nodes, m.elements);"
             " if (given.length !== wanted.length) { return 1e9; }"
             " return Math.max(...wanted.map((p) => Math.min(...given.map((q) => Math.hypot(p[0] - q[0], p[1] - q[1]))))); })()")
         self.assertLess(worst, 1e-3)
@@ -268,6 +268,114 @@ class Playing(unittest.TestCase):
             window.close()
 
 
+class Squares(unittest.TestCase):
+    """A run of quadrilaterals: squares, colours and the clean-up."""
+
+    def setUp(self):
+        self.window = browser.Browser()
+        self.addCleanup(self.window.close)
+        self.path = page("tile.json", "tile.html")
+        run = subprocess.run([PROGRAM, "trace", DRAWINGS / "tile.json", "-o", "-"], check=True, capture_output=True)
+        self.whole = json.loads(run.stdout)
+        self.trace = self.whole["advances"]
+
+    def figure(self, name):
+        rows = self.window.evaluate(
+            "[...document.querySelectorAll('#figures tr')].map((row) => [...row.cells].map((cell) => cell.textContent))")
+        return dict(rows).get(name)
+
+    def picture(self, number, drawing="tile.json"):
+        """The picture of a moment that `forefront film` makes."""
+        path = pathlib.Path(FOLDER.name) / "moment.svg"
+        subprocess.run([PROGRAM, "film", DRAWINGS / drawing, "-o", path, "--at", str(number)], check=True, capture_output=True)
+        return path.read_text()
+
+    def drawn(self, picture):
+        return re.search(r'<path fill="#dbe9f6" d="([^"]*)"', picture)[1].count("Z")
+
+    def test_elements_captions_and_steps_are_those_of_the_program(self):
+        self.window.open(self.path)
+        self.assertIn("Front of quadrilaterals", self.window.text("#about"))
+        self.assertEqual(self.window.text("#steps li:nth-child(2) span:nth-child(2)"), "Take a diagonal, else leg AB")
+        self.assertEqual(self.window.text("#candidates th:nth-child(3)"), "shape")
+        squares = set()
+        for number, advance in enumerate(self.trace, 1):
+            self.window.key("ArrowRight")
+            self.assertEqual(int(self.figure("Γ, segments of the front")), advance["front"])
+            said = self.window.text("#caption")
+            self.assertTrue(said.startswith(f"Advance {number}. "), said)
+            words = {"row": "row continued", "opening": "row opened", "closing": "gap closed"}.get(advance["square"])
+            if words:
+                self.assertIn(words, said)
+            found = self.window.evaluate("document.querySelectorAll('#candidates td.accepted').length")
+            self.assertEqual(found, 1 if advance["elements"] else 0, said)
+            squares.add(advance["square"])
+            if number % 9 == 0:
+                self.assertEqual(int(self.figure("Elements")), self.drawn(self.picture(number)))
+        self.assertEqual(squares, {"row", "opening", "closing", "half"})
+        self.assertEqual(self.window.complaints, [])
+
+    def test_colours_are_those_of_the_trace_and_alternate_along_legs(self):
+        self.window.open(self.path)
+        colours = self.window.evaluate("JSON.parse(document.getElementById('run').textContent).colours")
+        given = self.whole["boundary"]["colours"]
+        self.assertEqual([int(c) for c in colours[:len(given)]], given)
+        for advance in self.trace:
+            a, b = advance["base"]["nodes"]
+            self.assertEqual(advance["diagonal"], colours[a] == colours[b])
+
+    def test_the_clean_up_follows_with_its_figures(self):
+        self.window.open(page("washer.json", "washer-end.html"))
+        self.window.key("End")
+        self.assertEqual(self.window.text("#position"), "improved")
+        stats = pathlib.Path(FOLDER.name) / "washer-stats.json"
+        subprocess.run([PROGRAM, "mesh", DRAWINGS / "washer.json", "-o", stats.with_suffix(".msh"), "--stats", stats], check=True,
+                       capture_output=True)
+        self.assertEqual(int(self.figure("Elements")), json.loads(stats.read_text())["elements"])
+        moments, last = self.window.evaluate(
+            "(() => { const run = JSON.parse(document.getElementById('run').textContent); return [run.improved.moments, run.advances.length]; })()")
+        self.assertGreater(moments, 20)
+        for number in range(moments - 1, 0, -1):
+            self.window.key("ArrowLeft")
+            said = self.window.text("#caption")
+            self.assertTrue(said.startswith(f"Clean-up {number} of {moments}: "), said)
+            irregular = re.search(r"irregular nodes (?:\d+ → )?(\d+)", said)[1]
+            self.assertEqual(self.figure("Irregular nodes"), irregular)
+            if number % 8 == 1:
+                picture = self.picture(last + number, "washer.json")
+                words = " ".join(re.findall(r">([^<]+)</text>", picture))
+                self.assertEqual(words[:60], said[:60])
+                self.assertEqual(int(self.figure("Elements")), self.drawn(picture), said)
+        self.assertEqual(self.window.complaints, [])
+
+    def test_every_event_draws_and_a_page_of_500_advances_is_small(self):
+        path = page("washer.json", "washer.html", "--size", "0.28", "--steps", "500")
+        self.assertLess(path.stat().st_size, 1_000_000)
+        self.window.open(page("washer.json", "part.html", "--steps", "60"))
+        self.window.evaluate("document.getElementById('unit').value = 'event'")
+        self.window.key("g")
+        moments = self.window.evaluate(
+            "(() => { let n = 0; const next = document.getElementById('next'), shown = () => document.getElementById('position').textContent;"
+            " for (let before = ''; before !== shown() && n < 20000; ++n) { before = shown(); next.click(); } return n; })()")
+        self.assertGreater(moments, 300)
+        self.assertEqual(self.window.text("#position"), "60 / 60")
+        self.assertEqual(self.window.complaints, [])
+
+    @unittest.skipUnless(SHOTS, "FOREFRONT_SCREENSHOTS names no folder")
+    def test_pictures(self):
+        washer = page("washer.json", "washer-whole.html")
+        for name, path, place, keys in (
+                ("squares-row", self.path, "#3.6", ""), ("squares-refused", washer, "#76.8", "t"), ("squares-front", washer, "#150", "tf"),
+                ("squares-clean-up", washer, "#259.i16", ""), ("squares-end", washer, "#259.improved", "f")):
+            window = browser.Browser(1280, 800)
+            window.open(path, place)
+            for key in keys:
+                window.key(key)
+            window.settle()
+            (pathlib.Path(SHOTS) / (name + ".png")).write_bytes(window.picture())
+            window.close()
+
+
 class Lessons(unittest.TestCase):
     """Lessons written as pages: their texts, runs, questions and answers."""
 
@@ -281,6 +389,14 @@ class Lessons(unittest.TestCase):
     def answer(self, number):
         self.window.evaluate(f"document.getElementById('typed').value = '{number}'")
         self.window.click("#answers button")
+
+    def saved(self):
+        """Returns the answers as the page would save them."""
+        self.window.evaluate("HTMLAnchorElement.prototype.click = () => {}")
+        self.window.evaluate("void (URL.createObjectURL = (blob) => { blob.text().then((text) => { window.saved = text; }); return ''; })")
+        self.window.click("#save")
+        self.wait("answers", "Boolean(window.saved)")
+        return json.loads(self.window.evaluate("window.saved"))
 
     def wait(self, what, condition):
         for _ in range(200):
@@ -316,6 +432,29 @@ class Lessons(unittest.TestCase):
         self.assertEqual(self.window.text("#reply"), "")
         self.wait("answer", "document.getElementById('show').click() || document.getElementById('reply').className === 'right'")
         self.assertIn("after 10 advances", self.window.text("#reply"))
+        pages = self.saved()["pages"]
+        self.assertEqual([answer["right"] for answer in pages[0]["answers"]], [False, True])
+        self.assertNotIn("shown", pages[0])
+        self.assertEqual((pages[2]["shown"], pages[2]["answers"]), (True, []))  # by Show me, which is no answer
+        self.assertEqual(self.window.complaints, [])
+
+    def test_the_lesson_on_quadrilaterals_shows_its_run_and_its_tasks(self):
+        self.window = browser.Browser()
+        self.addCleanup(self.window.close)
+        path = self.write("13-quadrilaterals")
+        lesson = json.loads(re.search(r'id="lesson">\n(.*?)\n</script>', path.read_text(), flags=re.S)[1])
+        self.assertTrue(all("note" not in shown and "note" not in (shown["question"] or {}) for shown in lesson["pages"]))
+        self.window.open(path)
+        player = "document.getElementById('player').contentDocument"
+        tasks = 0
+        for shown in lesson["pages"]:
+            self.wait("player", f"{player} && {player}.getElementById('caption') && {player}.getElementById('caption').textContent !== ''")
+            question = shown["question"]
+            if question and question.get("done") and question["show"]:
+                self.wait("answer", "document.getElementById('show').click() || document.getElementById('reply').className === 'right'")
+                tasks += 1
+            self.window.click("#following")
+        self.assertGreaterEqual(tasks, 2)
         self.assertEqual(self.window.complaints, [])
 
     def test_a_candidate_is_chosen_by_a_click(self):

@@ -49,6 +49,33 @@ class Tracing(Case):
         (self.path / "mine.json").write_text(json.dumps(run, indent=1))
         return self.call(RING, "--method", "classic", "--compare", "mine.json", *words, code=1).stdout
 
+    def test_a_trace_of_quadrilaterals_tells_squares_colours_and_halves(self):
+        drawing = DRAWINGS / "washer.json"
+        run = self.trace(drawing)
+        self.assertEqual(run["elements"], "quads")
+        self.assertEqual(len(run["boundary"]["colours"]), len(run["boundary"]["nodes"]))
+        verdicts = set()
+        for advance in run["advances"]:
+            squares = [c for c in advance["candidates"] if "square" in c]
+            made = [c["square"] for c in squares if c["verdict"] == "accepted"]
+            self.assertEqual(made, [] if advance["square"] == "half" else [advance["square"]])
+            self.assertEqual(len(advance["elements"]), 2 if made else 1 if advance["elements"] else 0)
+            self.assertTrue(all(("second" in c) == (c["square"] != "row") for c in squares))
+            verdicts |= {c["verdict"] for c in advance["candidates"]}
+        self.assertEqual(run["advances"][-1]["front"], 0)
+        self.assertTrue({"bad-shape", "one-colour", "withdrawn"} & verdicts)
+        area = sum(((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2
+                   for advance in run["advances"] for a, b, c in advance["elements"])
+        nodes = run["boundary"]["nodes"]
+        self.assertAlmostEqual(area, sum((nodes[a][0] * nodes[b][1] - nodes[b][0] * nodes[a][1]) / 2
+                                         for a, b in run["boundary"]["segments"]), 9)
+        self.assertIn("the traces agree", self.call(drawing, "--compare", "run.json").stdout)
+        row = next(k for k, advance in enumerate(run["advances"]) if advance["square"] == "row")
+        run["advances"][row]["candidates"][-1]["at"] = [0.123, 0.456]
+        (self.path / "mine.json").write_text(json.dumps(run))
+        self.assertIn("the square that continues the row, with a corner at",
+                      self.call(drawing, "--compare", "mine.json", code=1).stdout)
+
     def test_a_trace_tells_every_advance(self):
         run = self.trace(RING)
         self.assertEqual((run["format"], run["version"], run["method"]), ("forefront-trace", 1, "classic"))

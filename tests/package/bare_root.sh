@@ -106,7 +106,7 @@ python=$(in_root python3 -c '
 import forefront
 mesh = forefront.mesh([(0, 0), (4, 0), (4, 3), (0, 3)], "0.05 + 0.1*x")
 assert not mesh.nodes.flags.owndata
-print(mesh.hash)')
+print(f"{mesh.hash:016x}")')
 
 echo "+ consumer"
 quietly in_root sh -c 'apt-get install -y --no-install-recommends /packages/libforefront*.deb cmake make g++ pkg-config'

@@ -185,6 +185,15 @@ void openShown(D &d) {
     openPage(d, [](const LessonPage &page) { return page.question && page.question->show; });
 }
 
+/// Opens the first page of a lesson that asks for a number, and answers it.
+void answerNumber(Draughtsman &d) {
+    openNumber(d);
+    d.key(key::k0, kAlt);
+    d.settle();
+    d.type("7");
+    d.key(key::kEnter);
+}
+
 std::vector<ActionCase> lessonCases() {
     return {{"help.lessons", [](D &) {}, [](D &d, const B &) { return d.context().lessons.visible; }},
             {"learn.lessons", [](D &) {}, [](D &d, const B &) { return d.context().lessons.visible; }},
@@ -198,15 +207,8 @@ std::vector<ActionCase> lessonCases() {
                  d.key(key::kPageDown);
              },
              [](D &d, const B &) { return page(d) == 1; }},
-            {"lesson.saveAnswers",
-             [](D &d) {
-                 openNumber(d);
-                 d.key(key::k0, kAlt);
-                 d.settle();
-                 d.type("7");
-                 d.key(key::kEnter);
-             },
-             [](D &d, const B &) { return dialogIs(d, "saveanswers"); }},
+            {"lesson.saveAnswers", answerNumber, [](D &d, const B &) { return dialogIs(d, "saveanswers"); }},
+            {"lesson.forgetAnswers", answerNumber, [](D &d, const B &) { return dialogIs(d, "answers"); }},
             {"learn.tables", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "tables"); }},
             {"lesson.close", openLesson, [](D &d, const B &) { return !d.context().lessons.open.has_value(); }},
             {"lesson.number", openNumber,

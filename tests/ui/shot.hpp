@@ -15,6 +15,7 @@ struct Shot {
     const char *name;
     std::function<void(Driver &)> show;
     bool hovers = false; ///< the pointer stays where it is
+    bool moves = false;  ///< the picture is taken at once, of something that goes on by itself
 };
 
 /// Writes a picture as a PPM file, which most viewers and ImageMagick read.

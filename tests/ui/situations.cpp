@@ -10,9 +10,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,12 +55,23 @@ void showSample(Driver &driver) {
     driver.settle();
 }
 
+/// Meshes the sample with many small elements, and stops to look when part of them are made.
+void showMeshing(Driver &driver) {
+    Shell &context = driver.context();
+    driver.workspace(WorkspaceKind::Mesh);
+    context.settings.live = false;
+    Document fine = *context.document.current();
+    fine.options.method = Method::Classic;
+    fine.spacing.size = 1.0;
+    context.document.apply(std::move(fine), "Finer");
+    driver.settle();
+    context.run.mesh();
+    driver.until([&] { return !driver.run().complete; }); // the last run is no longer shown
+    driver.until([&] { return driver.run().complete || (driver.has("run/progress") && driver.run().progress > 0.3); });
+}
+
 /// Goes through ten situations of a day's work, one after the other; their names and what shows them.
 std::vector<Shot> situations() {
-    const auto workspace = [](WorkspaceKind kind) { return [kind](Driver &driver) { driver.workspace(kind); }; };
-    const auto action = [](const char *id) {
-        return [id](Driver &driver) { driver.context().actions.run(id, driver.context()); };
-    };
     return {{"1-start", [](Driver &) {}},
             {"2-drawing", showDrawing, true},
             {"3-sizes",
@@ -66,9 +79,13 @@ std::vector<Shot> situations() {
                  showSample(driver);
                  driver.workspace(WorkspaceKind::Size);
              }},
-            {"4-meshing", workspace(WorkspaceKind::Mesh)},
+            {"4-meshing", showMeshing, false, true},
             {"5-stepping",
              [](Driver &driver) {
+                 driver.context().run.cancel();
+                 driver.settle();
+                 driver.context().settings.live = true;
+                 showSample(driver);
                  driver.workspace(WorkspaceKind::Step);
                  driver.context().run.seek(driver.run().known / 2);
                  driver.settle();
@@ -101,7 +118,11 @@ std::vector<Shot> situations() {
                  driver.context().actions.run("view.fit", driver.context());
                  importBracket(driver);
              }},
-            {"9-export", action("file.export")},
+            {"9-export",
+             [](Driver &driver) {
+                 driver.context().settings.folders["export"] = std::filesystem::temp_directory_path().string();
+                 driver.context().actions.run("file.export", driver.context());
+             }},
             {"10-error", [](Driver &driver) {
                  driver.context().document.markSaved({});
                  offerCombination(driver);
@@ -116,44 +137,109 @@ std::vector<Shot> situations() {
 
 } // namespace
 
-// Not a test; writes pictures of ten situations in windows of three sizes, at three scales, in both themes.
-TEST_CASE("Screenshots: situations" * doctest::skip()) {
+namespace {
+
+/// Goes through the situations in a window and gives `take` the picture of each.
+void takeSituations(PixelSize size, double scale, ThemeKind theme,
+                    const std::function<void(const Shot &, const Driver::Picture &)> &take) {
+    EditorSetup setup;
+    setup.sample = false;
+    setup.startPage = true;
+    Driver driver(setup, size, scale);
+    driver.context().settings.theme = theme;
+    driver.context().settings.live = true;
+    driver.settle();
+    for (const Shot &scene : situations()) {
+        scene.show(driver);
+        if (!scene.moves) {
+            driver.settle();
+        }
+        if (!scene.hovers && !scene.moves) {
+            driver.moveTo({4.0, size.height - 10.0});
+            driver.settle();
+        }
+        take(scene, driver.picture());
+        driver.context().dialogs.dismissPreviews(driver.context());
+        driver.context().dialogs.closeAll();
+        driver.frames(1);
+    }
+}
+
+/// Returns the folder for pictures.
+std::filesystem::path pictureFolder() {
     const char *const folder = std::getenv("FOREFRONT_SCREENSHOTS");
     REQUIRE_MESSAGE(folder != nullptr, "set FOREFRONT_SCREENSHOTS to a folder");
-    for (const PixelSize size : {PixelSize{1280, 800}, PixelSize{1440, 900}, PixelSize{2560, 1600}}) {
-        for (const double scale : {1.0, 1.5, 2.0}) {
-            for (const ThemeKind theme : {ThemeKind::Dark, ThemeKind::Light}) {
-                EditorSetup setup;
-                setup.sample = false;
-                setup.startPage = true;
-                Driver driver(setup, size, scale);
-                driver.context().settings.theme = theme;
-                driver.context().settings.live = true;
-                driver.settle();
-                for (const Shot &scene : situations()) {
-                    scene.show(driver);
-                    driver.settle();
-                    if (!scene.hovers) {
-                        driver.moveTo({4.0, size.height - 10.0});
-                        driver.settle();
-                    }
-                    writePicture(driver.picture(),
-                                 std::filesystem::path(folder) /
-                                     (std::to_string(size.width) + "x" + ui::number(scale, 2) + "-" +
-                                      (theme == ThemeKind::Dark ? "dark" : "light") + "-" + scene.name + ".ppm"));
-                    driver.context().dialogs.dismissPreviews(driver.context());
-                    driver.context().dialogs.closeAll();
-                    driver.settle();
-                }
+    return folder;
+}
+
+const char *wordOf(ThemeKind theme) {
+    return theme == ThemeKind::Dark ? "dark" : "light";
+}
+
+/// Returns the channel of a picture reduced to half, at a pixel: the mean of four.
+std::uint8_t halved(const Driver::Picture &picture, int column, int row, int channel) {
+    int sum = 2;
+    for (const int down : {0, 1}) {
+        for (const int right : {0, 1}) {
+            const auto at = static_cast<std::size_t>((2 * row + down) * picture.size.width + 2 * column + right);
+            sum += picture.rgba[4 * at + static_cast<std::size_t>(channel)];
+        }
+    }
+    return static_cast<std::uint8_t>(sum / 4);
+}
+
+/// Draws a picture, reduced to half, into another one.
+void drawHalved(const Driver::Picture &picture, PixelSize corner, Driver::Picture &page) {
+    for (int row = 0; row < picture.size.height / 2; ++row) {
+        for (int column = 0; column < picture.size.width / 2; ++column) {
+            const auto to = static_cast<std::size_t>((corner.height + row) * page.size.width + corner.width + column);
+            for (int channel = 0; channel < 3; ++channel) {
+                page.rgba[4 * to + static_cast<std::size_t>(channel)] = halved(picture, column, row, channel);
             }
         }
     }
 }
 
+} // namespace
+
+// Not a test; writes pictures of ten situations in windows of three sizes, at three scales, in both themes.
+TEST_CASE("Screenshots: situations" * doctest::skip()) {
+    const std::filesystem::path folder = pictureFolder();
+    for (const PixelSize size : {PixelSize{1280, 800}, PixelSize{1440, 900}, PixelSize{2560, 1600}}) {
+        for (const double scale : {1.0, 1.5, 2.0}) {
+            for (const ThemeKind theme : {ThemeKind::Dark, ThemeKind::Light}) {
+                const std::string prefix =
+                    std::to_string(size.width) + "x" + ui::number(scale, 2) + "-" + wordOf(theme) + "-";
+                takeSituations(size, scale, theme, [&](const Shot &scene, const Driver::Picture &picture) {
+                    writePicture(picture, folder / (prefix + scene.name + ".ppm"));
+                });
+            }
+        }
+    }
+}
+
+// Not a test; writes the pages of the situations in ui/style, one for each theme: two in a row, reduced to half.
+TEST_CASE("Screenshots: page of the situations" * doctest::skip()) {
+    constexpr int kGap = 8;
+    const std::filesystem::path folder = pictureFolder();
+    const PixelSize window{1280, 800}, half{window.width / 2, window.height / 2};
+    const auto rows = static_cast<int>((situations().size() + 1) / 2);
+    for (const ThemeKind theme : {ThemeKind::Dark, ThemeKind::Light}) {
+        Driver::Picture page{{2 * half.width + kGap, rows * (half.height + kGap) - kGap}, {}};
+        page.rgba.assign(4 * static_cast<std::size_t>(page.size.width) * static_cast<std::size_t>(page.size.height),
+                         128);
+        int count = 0;
+        takeSituations(window, 1.0, theme, [&](const Shot &, const Driver::Picture &picture) {
+            drawHalved(picture, {count % 2 * (half.width + kGap), count / 2 * (half.height + kGap)}, page);
+            ++count;
+        });
+        writePicture(page, folder / (std::string("situations-") + wordOf(theme) + ".ppm"));
+    }
+}
+
 // Not a test; writes the picture of the editor on the first page of the repository, assets/screenshot.png.
 TEST_CASE("Screenshots: the picture of the readme" * doctest::skip()) {
-    const char *const folder = std::getenv("FOREFRONT_SCREENSHOTS");
-    REQUIRE_MESSAGE(folder != nullptr, "set FOREFRONT_SCREENSHOTS to a folder");
+    const std::filesystem::path folder = pictureFolder();
     Driver driver({}, {1440, 900});
     driver.context().settings.live = true;
     showSample(driver);
@@ -165,7 +251,7 @@ TEST_CASE("Screenshots: the picture of the readme" * doctest::skip()) {
     driver.context().actions.run("view.fit", driver.context());
     driver.moveTo({4.0, 890.0});
     driver.settle();
-    writePicture(driver.picture(), std::filesystem::path(folder) / "screenshot.ppm");
+    writePicture(driver.picture(), folder / "screenshot.ppm");
 }
 
 TEST_CASE("Ten situations at twice the scale, and in a window that becomes too small for them") {

@@ -237,6 +237,9 @@ TEST_CASE("Background: what was cancelled is stopped on its thread, and its answ
     while (!stopped) {
         std::this_thread::yield();
     }
+    while (wakes == 0) { // the answer can be fetched shortly before the window is woken for it
+        std::this_thread::yield();
+    }
     CHECK_FALSE(doubler.refresh());
     CHECK(doubler.now() == 8);
     CHECK(wakes == 1);

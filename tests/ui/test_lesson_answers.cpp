@@ -1,6 +1,7 @@
 #include "core/teaching/lesson/lesson_run.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/tab_commands.hpp"
+#include "ui/lessons/kept_answers.hpp"
 #include "ui/lessons/lesson_list.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/workspace/judging.hpp"
@@ -114,7 +115,11 @@ TEST_CASE("Lessons: one that is left at its last page with all questions answere
     CHECK(leaveAtLastPage() == 4);
     reader.click("lesson/list");
     reader.settle();
-    reader.context().settings.lessons["4-rejections"].answered = {0, 1, 2, 3, 4};
+    LearnerAnswers &answers = openAnswers(reader.context(), reader.context().lessons.list[3]);
+    REQUIRE(answers.given.pages.size() == 5);
+    for (PageAnswers &page : answers.given.pages) {
+        page.answers = {{"as it was", true}};
+    }
     CHECK(leaveAtLastPage() == 0);
 }
 
@@ -247,7 +252,7 @@ TEST_CASE("Lessons: other numbers are drawn for another seed, and answers are fo
     CHECK(reader.run().advance != 232);
     CHECK_FALSE(reader.has("lesson/right"));
     CHECK_FALSE(reader.has("lesson/save"));
-    CHECK(reader.context().settings.lessons["10-dynamic-grid"].answered.empty());
+    CHECK(countKnown(reader.context(), "10-dynamic-grid").answered == 0);
     reader.click("lesson/numbers"); // no answers, no question
     reader.settle();
     CHECK(reader.context().lessons.open->entry.lesson->seed == 3);
@@ -285,7 +290,8 @@ TEST_CASE("Lessons: what is done with another drawing or other options is no ans
     const std::string text = answersText(answers.given);
     SourceText source;
     source.text = text;
-    const Result<AnswerScore> score = checkAnswers(answers.given, source, *answers.lesson.lesson, runs, {});
+    const Result<AnswerScore> score =
+        checkAnswers(answers.given, source, *reader.context().lessons.open->entry.lesson, runs, {});
     REQUIRE(score.ok());
     CHECK(score->answered == 1);
 }

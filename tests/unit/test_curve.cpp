@@ -1,3 +1,5 @@
+#include "core/engine/domain/add_loop.hpp"
+#include "core/engine/domain/curved_bounds.hpp"
 #include "core/engine/geometry/curve.hpp"
 #include "core/engine/geometry/polygon.hpp"
 #include "tests/support/random_domains.hpp"
@@ -330,4 +332,24 @@ TEST_CASE("curve: numbers give the same curve back") {
         const Curve curve = randomCurve(random, i);
         CHECK(Curve::fromNumbers(curve.kind(), curve.numbers()) == curve);
     }
+}
+
+TEST_CASE("curvedBounds: curves reach beyond their chords, but only as far as segments follow them") {
+    Domain domain;
+    addLoop(domain, {{0, 0}, {2, 0}, {2, 1}, {0, 1}});
+    CHECK(curvedBounds(domain) == domain.bounds());
+    // The right side becomes a half circle about (2, 0.5); its whole circle would reach down to 0 and up to 1 as well.
+    domain.curves.push_back(Curve::circle({2, 0.5}, {2, 0}));
+    domain.segments[1].stretch = {0, 0.0, 0.5};
+    const Box2 box = curvedBounds(domain);
+    CHECK(box.max.x == doctest::Approx(2.5).epsilon(1e-12));
+    CHECK(box.min.x == 0.0);
+    CHECK(box.max.y == doctest::Approx(1.0).epsilon(1e-12));
+    domain.segments[1].stretch = {0, 0.0, 0.125}; // an eighth of the circle
+    CHECK(curvedBounds(domain).max.x == doctest::Approx(2.0 + 0.5 * std::sqrt(0.5)).epsilon(1e-12));
+    // What no reader makes, but a caller may: the nodes count alone.
+    domain.segments[1].stretch = {7, 0.0, 1.0};
+    CHECK(curvedBounds(domain) == domain.bounds());
+    domain.segments[1].stretch = {0, 0.0, std::numeric_limits<double>::quiet_NaN()};
+    CHECK(curvedBounds(domain) == domain.bounds());
 }

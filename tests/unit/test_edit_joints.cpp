@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::edit_test;
@@ -97,7 +98,7 @@ TEST_CASE("Joints: an end on a segment moves with it, and stays on it when dragg
 
     const Document dragged = jointed(document, setHandle(document, {2, 0}, {3, 0.7}));
     CHECK(shapeOfId(dragged, 2).nodes == std::vector<Vec2>{{3, 0}, {2, 2}});
-    const Document beyond = jointed(document, setHandle(document, {2, 0}, {9, 0.7}));
+    const Document beyond = jointed(document, setHandle(document, {2, 0}, {9, -0.7}));
     CHECK(shapeOfId(beyond, 2).nodes[0] == Vec2{4, 0});
     const Document inner = jointed(document, setHandle(document, {2, 1}, {3, 3}));
     CHECK(shapeOfId(inner, 2).nodes == std::vector<Vec2>{{2, 0}, {3, 3}});
@@ -255,4 +256,20 @@ TEST_CASE("Joints: 50 counties edited by 500 random commands still mesh as 50 re
     REQUIRE(meshed);
     const std::vector<std::int32_t> &regions = meshed->mesh.blocks.front().regions;
     CHECK(std::set<std::int32_t>(regions.begin(), regions.end()).size() == kColumns * kRows);
+}
+
+TEST_CASE("Joints: corners of mapped regions go with their nodes, unless a command has moved them itself") {
+    Document document = documentOf({square({0, 0}, 1), square({1, 0}, 1)});
+    document.mapped = {{1, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, {2, {}}};
+    const Document moved = jointed(document, setHandle(document, {1, 2}, {1.25, 1.5}));
+    CHECK(moved.mapped.front().corners == std::vector<Vec2>{{0, 0}, {1, 0}, {1.25, 1.5}, {0, 1}});
+    CHECK(moved.mapped[1].corners.empty());
+    Selection all;
+    all.shapes = {1, 2};
+    const Document shifted = jointed(document, moveSelection(document, all, {0.5, 0.0}));
+    CHECK(shifted.mapped.front().corners == std::vector<Vec2>{{0.5, 0}, {1.5, 0}, {1.5, 1}, {0.5, 1}});
+    Selection node;
+    node.nodes = {{2, 3}}; // of the neighbour, joined with a corner
+    const Document joint = jointed(document, moveSelection(document, node, {0.0, 0.5}));
+    CHECK(joint.mapped.front().corners == std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1.5}, {0, 1}});
 }

@@ -124,6 +124,9 @@ TEST_CASE("Elevations: the formats hold them, read them back, or note that they 
         REQUIRE(writeMesh(path, view, format.id).empty());
         CHECK(hasCode(exportNotes(path, view, format.id), "elevation-left-out") == !format.holdsElevations);
         CHECK_FALSE(hasCode(exportNotes(path, view, format.id), "no-elevation"));
+        const auto notesIn = [&](LengthUnit unit) { return exportNotes(path, view, format.id, {.unit = unit}); };
+        CHECK(hasCode(notesIn(LengthUnit::Millimetre), "says-metres") == (format.id == std::string_view("mike")));
+        CHECK_FALSE(hasCode(notesIn(LengthUnit::Metre), "says-metres"));
         const Diagnostics flat = exportNotes(path, mesh, format.id);
         CHECK((hasCode(flat, "no-elevation") || hasCode(flat, "no-depth")) == alwaysInSpace.contains(format.id));
         if (format.holdsElevations && format.readsFields) {

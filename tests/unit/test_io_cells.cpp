@@ -246,6 +246,7 @@ TEST_CASE("Cells of files: text formats list corners, then the middles of edges,
             const std::string text = cellText(mesh, "inp");
             CHECK(hasPart(text, std::string("** tag 3\n*ELEMENT, TYPE=") + traits.abaqus + ", ELSET=region_3\n1, " +
                                     cellRow(traits.nodes, 1, ", ") + "\n*ELSET, ELSET=EALL, GENERATE\n1, 1, 1\n"));
+            CHECK(hasPart(text, "\n** support: *BOUNDARY / boundary_2, 1, 2; load: *DSLOAD / S_boundary_2, P, 1.\n"));
             CHECK(hasPart(text, "*NSET, NSET=boundary_2\n1, 2" +
                                     (traits.order == 2 ? ", " + std::to_string(traits.corners + 1) : "") + '\n'));
             CHECK(hasPart(text, "TYPE=ELEMENT\n1, S1\n"));

@@ -335,6 +335,69 @@ TEST_CASE("DXF: lines bound the domain, gaps are closed by welding, repeated cur
     CHECK(std::any_of(ring.segments.begin(), ring.segments.end(), [](const auto &s) { return s.stretch.follows(); }));
 }
 
+TEST_CASE("DXF: ends that meet up to rounding are no change, even with the option strict") {
+    ImportOptions strict;
+    strict.strict = true;
+    ImportNotes notes;
+    const std::string round = "0 LINE 10 0 20 0 11 105 21 0 0 ARC 10 105 20 15 40 15 50 270 51 90"
+                              " 0 LINE 10 105 20 30 11 0 21 30 0 LINE 10 0 20 30 11 0 21 0";
+    CHECK(chordArea(domainIn(drawing(round), &notes, strict)) > 3150.0);
+    CHECK(countOf(notes, "moved") == 0);
+    std::string apart = round;
+    apart.replace(apart.find("11 105"), 6, "11 105.00001");
+    CHECK(faultsIn(drawing(apart), strict).front().code == "welded-nodes");
+}
+
+TEST_CASE("DXF: outlines that overlap are warned of, with their layers and places") {
+    const auto warningOf = [](const std::string &entities) {
+        ImportNotes notes;
+        domainIn(drawing(entities), &notes);
+        std::string text;
+        for (const ImportNote &note : notes.entries()) {
+            if (note.severity == Severity::Warning) {
+                text += note.message + '\n';
+                CHECK(note.line > 0);
+            }
+        }
+        return text;
+    };
+    const auto square = [](const std::string &layer, double x, double y, double side) {
+        const auto corner = [](double u, double v) { return " 10 " + std::to_string(u) + " 20 " + std::to_string(v); };
+        return " 0 LWPOLYLINE 8 " + layer + " 90 4 70 1" + corner(x, y) + corner(x + side, y) +
+               corner(x + side, y + side) + corner(x, y + side);
+    };
+    const std::string crossed = warningOf(kSquare + square("TAB", 8, 4, 4));
+    CHECK(crossed.find("closed outlines overlap in 1 place, 8 in area") != std::string::npos);
+    CHECK(crossed.find("'OUTLINE' (line 7) and 'TAB' (line ") != std::string::npos);
+    CHECK(crossed.find(" at (") != std::string::npos);
+    // A circle over a side, inside a frame that contains both; sides that lie on each other in part.
+    CHECK(warningOf(square("FRAME", -20, -20, 60) + ' ' + kSquare + " 0 CIRCLE 8 HOLES 10 10 20 5 40 1")
+              .find("'OUTLINE' (line ") != std::string::npos);
+    CHECK_FALSE(warningOf(kSquare + " 0 LWPOLYLINE 8 B 90 4 70 1 10 5 20 0 10 15 20 0 10 15 20 10 10 5 20 10").empty());
+    // Nested, side by side, and in touch.
+    CHECK(warningOf(kSquare + square("HOLES", 2, 2, 4) + square("ISLANDS", 3, 3, 1)).empty());
+    CHECK(warningOf(kSquare + square("NEXT", 10, 0, 10)).empty());
+    CHECK(warningOf(kSquare + square("CORNER", 10, 10, 4)).empty());
+    CHECK(warningOf(kSquare + square("NOTCH", 0, 3, 4)).empty());
+    CHECK(warningOf(kSquare + " 0 CIRCLE 8 HOLES 10 5 20 5 40 5").empty());
+    // Rectangles of lines.
+    const auto lines = [](const std::string &layer, double x, double y, double side) {
+        const Vec2 corners[] = {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+        std::string text;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Vec2 a = corners[k], b = corners[(k + 1) % 4];
+            text += " 0 LINE 8 " + layer + " 10 " + std::to_string(a.x) + " 20 " + std::to_string(a.y) + " 11 " +
+                    std::to_string(b.x) + " 21 " + std::to_string(b.y);
+        }
+        return text;
+    };
+    const std::string crossing = warningOf(lines("A", 0, 0, 10).substr(1) + lines("B", 5, 5, 10));
+    CHECK(crossing.find("outlines made of lines cross in 2 places, such as those of 'A' (line ") != std::string::npos);
+    CHECK(crossing.find("first at (10, 5), (5, 10)") != std::string::npos);
+    CHECK(warningOf(lines("A", 0, 0, 10).substr(1) + lines("B", 2, 2, 5)).empty());
+    CHECK(warningOf(lines("A", 0, 0, 10).substr(1) + lines("B", 10, 10, 5)).empty());
+}
+
 TEST_CASE("DXF: names in code pages and escapes become UTF-8") {
     const std::string header = section("HEADER", groups("9 $ACADVER 1 AC1015 9 $DWGCODEPAGE 3 ANSI_1252"));
     CHECK(pathsIn(drawing("0 CIRCLE 8 M\xfcller 10 0 20 0 40 1", header)).layers[0] == "M\xc3\xbcller");

@@ -137,6 +137,7 @@ TEST_CASE("Solids: the formats write all cells and the names of all parts, and o
           std::string::npos);
     CHECK(msh.find("\"front\"\n") != std::string::npos);
     CHECK(countOf(solidText("inp", mesh, {2.0, 2}), "*SURFACE, NAME=S_") == solid.tags.edges.size());
+    CHECK(countOf(solidText("inp", mesh, {2.0, 2}), ", 1, 3; load: *DSLOAD / S_") == solid.tags.edges.size());
     CHECK(countOf(solidText("nastran", mesh, {2.0, 2}), "\nCPENTA  ") == solid.cells.size());
     CHECK(solidText("medit", mesh, {2.0, 2}).find("\nPrisms\n" + std::to_string(solid.cells.size()) + '\n') !=
           std::string::npos);

@@ -79,6 +79,29 @@ TEST_CASE("Answers: a file is read as it was written, and answered again") {
     CHECK(none->lines[1] == "B: not answered");
 }
 
+TEST_CASE("Answers: a question that was shown is told from one that was answered") {
+    using namespace lesson_reply;
+    LessonAnswers given = answers();
+    given.edition = "0123";
+    given.pages[0].shown = true;
+    given.pages[1].answers.clear();
+    given.pages[1].shown = true;
+    const std::string text = answersText(given);
+    const Result<LessonAnswers> read = readAnswers(sourceOf(text));
+    REQUIRE(read);
+    CHECK(read->edition == "0123");
+    CHECK(read->pages[0].shown);
+    CHECK_FALSE(read->pages[2].shown);
+    const AnswerCount count = countAnswers(*read);
+    CHECK(count.answered == 2);
+    CHECK(count.shown == 1);
+    const Result<AnswerScore> score = scoreOf(given);
+    REQUIRE(score);
+    CHECK(score->answered == 2);
+    CHECK(score->lines[0] == "A: right at try 2, after Show me (15; 16)");
+    CHECK(score->lines[1] == "B: shown");
+}
+
 TEST_CASE("Answers: a file that claims what is not so is refused with its place") {
     using namespace lesson_reply;
     const auto codeOf = [](const LessonAnswers &given) {

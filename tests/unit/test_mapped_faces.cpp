@@ -3,6 +3,8 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/domain/add_loop.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/mapped/mapped_faces.hpp"
 #include "core/engine/mapped/row_grid.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
@@ -18,6 +20,7 @@
 #include <random>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -395,4 +398,28 @@ TEST_CASE("Project: mapped regions are kept, and given to the job where they exi
          {"{}", "[4]", "[{}]", R"([{"region": 4}, {"region": 4}])", R"([{"region": 4, "corners": [[1]]}])"}) {
         CHECK_FALSE(project(wrong));
     }
+}
+
+TEST_CASE("Mapped faces: outlines tell which nodes can be corners, also where the corners are unclear") {
+    MeshingJob job;
+    addLoop(job.domain, {{0, 0}, {6, 0}, {6, 3}, {3, 3}, {3, 6}, {0, 6}});
+    DomainFaces faces;
+    REQUIRE(validate(job.domain, 10, &faces).empty());
+    std::vector<MappedOutline> outlines = mappedOutlines({1, {}}, job.domain, faces);
+    REQUIRE(outlines.size() == 1);
+    CHECK(outlines.front().nodes.size() == 6);
+    CHECK(outlines.front().able.size() == 6);
+    CHECK(outlines.front().corners.empty()); // five corners of 90 degrees
+    CHECK(std::ranges::count_if(outlines.front().angles, [](double a) { return std::abs(a - 90.0) < 1e-9; }) == 5);
+    CHECK(std::ranges::count_if(outlines.front().angles, [](double a) { return std::abs(a - 270.0) < 1e-9; }) == 1);
+    outlines = mappedOutlines({1, {{6, 3}, {0, 6}, {0, 0}, {6, 0}}}, job.domain, faces);
+    REQUIRE(outlines.front().corners.size() == 4);
+    const MappedOutline &given = outlines.front();
+    CHECK(given.nodes[given.corners.front()] == Vec2{6, 3}); // the first one given
+    CHECK(given.nodes[given.corners[1]] == Vec2{0, 6});      // then counter-clockwise
+    CHECK(mappedOutlines({1, {{6, 3}, {1, 6}, {0, 0}}}, job.domain, faces).front().corners.empty());
+    CHECK(mappedOutlines({2, {}}, job.domain, faces).empty());
+    addLoop(job.domain, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}, 2);
+    REQUIRE(validate(job.domain, 10, &faces).empty());
+    CHECK(mappedOutlines({1, {}}, job.domain, faces).empty()); // it has a hole
 }

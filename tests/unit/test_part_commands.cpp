@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <vector>
+
 namespace forefront::part_cases {
 
 using namespace edit_test;
@@ -119,6 +121,12 @@ TEST_CASE("Part commands: cracks, periodic parts and mapped regions are set and 
     CHECK(isMapped(document, 1));
     document = setMapped(document, 1, true);
     CHECK(document.mapped.size() == 1);
+    document = setMappedCorners(document, 1, {{0, 0}, {4, 0}, {4, 3}});
+    REQUIRE(mappedOf(document, 1) != nullptr);
+    CHECK(mappedOf(document, 1)->corners == std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}});
+    CHECK(mappedOf(document, 7) == nullptr);
+    CHECK(setMappedCorners(document, 7, {{0, 0}}).mapped == document.mapped);
+    CHECK(setMapped(document, 1, true).mapped == document.mapped); // corners that were given are kept
     CHECK(!isMapped(setMapped(document, 1, false), 1));
 
     document = setElements(document, 1, Elements::Mixed);

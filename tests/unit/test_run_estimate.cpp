@@ -42,6 +42,20 @@ TEST_CASE("RunEstimate: elements and nodes are within 15 % for uniform and grade
     checkEstimate(job, 0.15);
 }
 
+TEST_CASE("RunEstimate: few elements are exact, also where the size would allow larger ones than the boundary does") {
+    MeshingJob job = squareToEstimate();
+    job.spacing.expression = "0.05+4*dist(0,0)";
+    checkEstimate(job, 1e-12);
+    job.options.elements = Elements::Quads;
+    checkEstimate(job, 1e-12);
+}
+
+TEST_CASE("RunEstimate: many elements are within 15 %") {
+    MeshingJob job = squareToEstimate();
+    job.spacing.size = 0.025;
+    checkEstimate(job, 0.15);
+}
+
 TEST_CASE("RunEstimate: quadrilaterals are within 15 % for a uniform size") {
     MeshingJob job = squareToEstimate();
     job.spacing.size = 0.1;

@@ -1,6 +1,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "ui/canvas/label_offsets.hpp"
 #include "ui/style/imgui_versions.hpp"
 
 #include <glm/common.hpp>
@@ -292,17 +293,19 @@ PixelRect CanvasPainter::label(Vec2 at, Pixel offset, std::string_view text, Col
     return rect;
 }
 
-bool CanvasPainter::freeLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font) {
-    const PixelRect first = labelRect(at, offset, text, font);
-    const double height = first.height / scale_ + 1.0;
-    const double mirrored = -offset.x - first.width / scale_ + 2.0 * kLabelPadX;
+std::vector<Pixel> offsetsBeside(Pixel size, Pixel offset) {
+    const double mirrored = -offset.x - size.x + 2.0 * kLabelPadX;
     std::vector<Pixel> offsets;
     for (const double level : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
         for (const double x : {offset.x, mirrored}) {
-            offsets.emplace_back(x, offset.y + level * height);
+            offsets.emplace_back(x, offset.y + level * (size.y + 1.0));
         }
     }
-    return freeLabel(at, offsets, text, colour, plate, font);
+    return offsets;
+}
+
+bool CanvasPainter::freeLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font) {
+    return freeLabel(at, offsetsBeside(labelSize(text, font), offset), text, colour, plate, font);
 }
 
 bool CanvasPainter::freeLabel(Vec2 at, std::span<const Pixel> offsets, std::string_view text, Colour colour,

@@ -19,7 +19,7 @@ namespace forefront {
 namespace {
 
 constexpr double kMinCardWidth = 190.0, kPictureHeight = 132.0, kCardGap = 12.0; ///< design pixels
-constexpr double kSmallPicture = 74.0;
+constexpr double kSmallPicture = 74.0, kSmallGap = 8.0, kTextPad = 8.0;          ///< design pixels
 
 std::vector<std::filesystem::path> pathsOf(const std::vector<DrawingCards::Card> &cards) {
     std::vector<std::filesystem::path> paths;
@@ -115,7 +115,7 @@ bool DrawingCards::drawCard(Shell &context, std::size_t index, const std::string
     if (const std::shared_ptr<const Thumbnail> thumbnail = thumbnails_.at(index)) {
         drawPicture(context, *thumbnail, inside);
     }
-    const float left = at.x + context.px(10), room = size.x - context.px(20);
+    const float left = at.x + context.px(kTextPad), room = size.x - context.px(2.0 * kTextPad);
     float y = at.y + picture + context.px(8);
     ImGui::PushFont(context.fonts.strong);
     ui::shortened(context, Pixel(left, y), left + room, card.title, context.theme.text);
@@ -135,8 +135,8 @@ std::optional<std::size_t> DrawingCards::draw(Shell &context, const std::string 
     if (thumbnails_.refresh()) {
         context.animate();
     }
-    const float room = ImGui::GetContentRegionAvail().x, gap = context.px(kCardGap);
     const bool small = columns > 0;
+    const float room = ImGui::GetContentRegionAvail().x, gap = context.px(small ? kSmallGap : kCardGap);
     if (!small) {
         columns = static_cast<std::size_t>(std::max(1.0F, (room + gap) / (context.px(kMinCardWidth) + gap)));
     }

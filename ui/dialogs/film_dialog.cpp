@@ -182,9 +182,6 @@ std::vector<FileFilter> filmFilters() {
 } // namespace
 
 void exportFilm(Shell &context) {
-    if (film_fields::refusesQuads(context, "a film")) {
-        return;
-    }
     FileRequest request = film_fields::exportRequest(context, "film", "Export film", ".gif");
     request.filters = filmFilters();
     const auto settings = std::make_shared<FilmSettings>();

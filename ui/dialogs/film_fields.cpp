@@ -1,6 +1,5 @@
 #include "ui/dialogs/film_fields.hpp"
 
-#include "core/teaching/moment/triangles_only.hpp"
 #include "ui/parts/shell.hpp"
 
 #include <imgui.h>
@@ -17,15 +16,6 @@ void number(Workspace &context, const std::string &field, double &value, double 
     if (ui::inputNumber(context, field, entered, 70.0F) && ui::checkRange(context, field, entered, minimum, maximum)) {
         value = entered;
     }
-}
-
-bool refusesQuads(Shell &context, const std::string &what) {
-    Diagnostics refusal = refusalOfQuads(context.document.current()->options, what);
-    for (Diagnostic &fault : refusal) {
-        fault.severity = Severity::Warning; // as MessageLog::refuse() has it
-    }
-    context.log.add(refusal);
-    return !refusal.empty();
 }
 
 FileRequest exportRequest(const Shell &context, std::string id, std::string title, const std::string &ending) {
@@ -48,7 +38,7 @@ Box2 canvasBox(const View &view) {
 
 void layers(Workspace &context, const std::string &prefix, FilmLayers &layers) {
     constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{
-        "Mesh", "Boundary", "Front", "Candidates", "Grid", "Caption", "Labels", "Improvement"};
+        "Mesh", "Boundary", "Front", "Candidates", "Grid", "Caption", "Labels", "Improvement", "Colours"};
     constexpr auto kSecondRow = static_cast<std::size_t>(FilmLayer::Improvement); // there is no room in the first
     ui::rowLabel(context, "Show", kFields);
     for (std::size_t k = 0; k < kLabels.size(); ++k) {

@@ -25,10 +25,6 @@ void whole(Workspace &context, const std::string &field, Whole &value, double mi
     }
 }
 
-/// Tells the user that something shows only fronts of triangles, and returns true, if the document makes
-/// quadrilaterals. `what`: see refusalOfQuads().
-bool refusesQuads(Shell &context, const std::string &what);
-
 /// Returns a request for the name of a new file: beside the document, named after it with `ending`, "-7.svg".
 FileRequest exportRequest(const Shell &context, std::string id, std::string title, const std::string &ending);
 

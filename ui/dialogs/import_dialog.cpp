@@ -189,8 +189,8 @@ void ImportDialog::accept(Shell &context) {
 bool ImportDialog::draw(Shell &context) {
     const bool enter = ui::enterOutsideFields(); // in a field, it only accepts the number
     // In a low window the questions are scrolled; the buttons stay in sight.
-    constexpr double kFoot = 48.0, kMargin = 88.0, kLeast = 80.0; // design pixels; around the dialog, see DialogHost
-    const float room = ImGui::GetIO().DisplaySize.y - context.px(kFoot + kMargin) - ImGui::GetCursorPosY();
+    constexpr double kFoot = 40.0, kLeast = 80.0; // design pixels
+    const float room = ImGui::GetContentRegionAvail().y - context.px(kFoot);
     ImGui::BeginChild("questions", {0, std::min(questions_, std::max(context.px(kLeast), room))}, false,
                       ImGuiWindowFlags_NoNav);
     drawSizes(context);

@@ -1,9 +1,11 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/files/source/import_notes.hpp"
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/import_layers.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/fault_text.hpp"
+#include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/messages/option_hints.hpp"
@@ -27,8 +29,8 @@ namespace forefront {
 
 namespace {
 
-constexpr float kLabels = 150.0F;  ///< column of the values, in design pixels
-constexpr float kChoices = 220.0F; ///< width of the choices, in design pixels
+constexpr float kLabels = 104.0F;  ///< column of the values, in design pixels
+constexpr float kChoices = 176.0F; ///< width of the choices, in design pixels
 constexpr double kMaxReport = 150; ///< height of the faults and notes, in design pixels
 
 std::string extent(const Box2 &box, double scale) {
@@ -113,19 +115,18 @@ void ImportDialog::drawSizes(Shell &context) const {
     for (const auto &shape : drawing_.shapes) {
         nodes += shape->nodes.size();
     }
-    ui::field(context, "Shapes", ui::count(drawing_.shapes.size()), kLabels);
-    ui::field(context, "Nodes", ui::count(nodes), kLabels);
-    ui::field(context, "Size in file", extent(boundsOf(drawing_), 1.0), kLabels);
-    ui::field(context, "Current drawing", extent(boundsOf(start_ ? *start_ : *context.document.current()), 1.0),
+    ui::field(context, "Contents", countText(drawing_.shapes.size(), "shape") + ", " + countText(nodes, "node"),
               kLabels);
+    ui::field(context, "Size in file", extent(boundsOf(drawing_), 1.0), kLabels);
+    ui::field(context, "This drawing", extent(boundsOf(start_ ? *start_ : *context.document.current()), 1.0), kLabels);
 }
 
 void ImportDialog::drawUnit(Shell &context) {
     ImGui::AlignTextToFramePadding();
-    ui::muted(context, "1 unit in the file =");
+    ui::muted(context, "1 unit in file =");
     ImGui::SameLine();
     double scale = scale_;
-    if (ui::inputNumber(context, "dialog/importoptions/scale", scale, 100.0F) &&
+    if (ui::inputNumber(context, "dialog/importoptions/scale", scale, 76.0F) &&
         ui::checkPositive(context, "dialog/importoptions/scale", scale)) {
         scale_ = scale;
     }
@@ -136,22 +137,33 @@ void ImportDialog::drawUnit(Shell &context) {
         const char *id, *label;
         double factor;
     } common[] = {{"same", "same", 1.0},
-                  {"mm", "mm to m", 0.001},
-                  {"inch", "inch to mm", 25.4},
-                  {"point", "px to mm", 25.4 / 96.0}};
-    for (const auto &choice : common) {
-        if (ui::chip(context, std::string("dialog/importoptions/") + choice.id, choice.label,
-                     scale_ == choice.factor)) {
-            scale_ = choice.factor;
+                  {"mm",
+                   "mm\xe2\x86\x92"
+                   "m",
+                   0.001},
+                  {"inch",
+                   "in\xe2\x86\x92"
+                   "mm",
+                   25.4},
+                  {"point",
+                   "px\xe2\x86\x92"
+                   "mm",
+                   25.4 / 96.0}};
+    {
+        ui::Flow flow(context, ImGui::GetContentRegionAvail().x, context.px(6));
+        for (const auto &choice : common) {
+            flow.item(choice.id);
+            if (ui::chip(context, std::string("dialog/importoptions/") + choice.id, choice.label,
+                         scale_ == choice.factor)) {
+                scale_ = choice.factor;
+            }
         }
-        ImGui::SameLine();
     }
-    ImGui::NewLine();
     if (!contents_.unit.empty() || drawing_.unit != LengthUnit::None) {
         ui::field(context, "Unit in file",
                   contents_.unit.empty() ? std::string(pluralOf(drawing_.unit)) : contents_.unit, kLabels);
     }
-    ui::field(context, "Size after import", extent(boundsOf(drawing_), scale_), kLabels);
+    ui::field(context, "Imported size", extent(boundsOf(drawing_), scale_), kLabels);
 }
 
 /// Asks which layers are read, and where the names of its features are.
@@ -161,7 +173,7 @@ void ImportDialog::drawMap(Shell &context) {
     }
     if (contents_.degrees) {
         ui::rowLabel(context, "Coordinates", kLabels);
-        static constexpr std::array<const char *, 2> kDegrees{"project to metres", "keep degrees"};
+        static constexpr std::array<const char *, 2> kDegrees{"to metres", "keep degrees"};
         int choice = options_.degrees == DegreeRule::Local ? 0 : 1;
         if (ui::segmented(context, "dialog/importoptions/degrees", kDegrees, choice, kChoices)) {
             options_.degrees = choice == 0 ? DegreeRule::Local : DegreeRule::Keep;
@@ -189,7 +201,7 @@ void ImportDialog::drawMap(Shell &context) {
 void ImportDialog::drawJoining(Shell &context) {
     ui::rowLabel(context, "Weld tolerance", kLabels);
     std::optional<double> tolerance = options_.weldTolerance;
-    if (ui::inputOptional(context, "dialog/importoptions/weld", tolerance, arranges_ ? "auto" : "0", 100.0F, {},
+    if (ui::inputOptional(context, "dialog/importoptions/weld", tolerance, arranges_ ? "auto" : "0", 76.0F, {},
                           drawing_.unit) &&
         ui::checkPositive(context, "dialog/importoptions/weld", tolerance.value_or(0.0), true)) {
         options_.weldTolerance = tolerance;
@@ -201,7 +213,7 @@ void ImportDialog::drawJoining(Shell &context) {
                              : "Join nodes and lines closer than this, in units of the file. 0: leave the drawing "
                                "as it is.");
     ImGui::SameLine();
-    ui::muted(context, "units of the file");
+    ui::muted(context, "in file");
     if (hasFeatures_) {
         ui::rowLabel(context, "Overlaps", kLabels);
         static constexpr std::array<const char *, 2> kRules{"later wins", "smaller wins"};

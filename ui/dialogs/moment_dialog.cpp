@@ -33,13 +33,14 @@ FilmLayers layersOnCanvas(Shell &context) {
         return slot != nullptr && slot->visible;
     };
     FilmLayers layers;
-    const std::array<std::pair<FilmLayer, const char *>, 7> kSame{{{FilmLayer::Mesh, "mesh"},
+    const std::array<std::pair<FilmLayer, const char *>, 8> kSame{{{FilmLayer::Mesh, "mesh"},
                                                                    {FilmLayer::Boundary, "boundary"},
                                                                    {FilmLayer::Front, "front"},
                                                                    {FilmLayer::Candidates, "candidates"},
                                                                    {FilmLayer::Labels, "candidates"},
                                                                    {FilmLayer::Grid, "grid"},
-                                                                   {FilmLayer::Improvement, "improvement"}}};
+                                                                   {FilmLayer::Improvement, "improvement"},
+                                                                   {FilmLayer::Colours, "colours"}}};
     for (const auto &[layer, name] : kSame) {
         layers.shown[static_cast<std::size_t>(layer)] = shown(name);
     }
@@ -80,9 +81,6 @@ void drawFields(Shell &context, MomentSettings &settings) {
 void exportMoment(Shell &context) {
     if (!context.run.hasRun() || context.run.showsFile()) {
         context.log.refuse("There is no run to show; mesh the drawing first");
-        return;
-    }
-    if (film_fields::refusesQuads(context, "a picture of a moment")) {
         return;
     }
     FileRequest request = film_fields::exportRequest(context, "moment", "Export picture of the moment",

@@ -163,11 +163,13 @@ void CanvasInput::spaceKey(const InputEvent &event, Shell &context) {
 }
 
 /// Splits keys between a text field and the program. The field gets the keys that type and edit text, and undo and redo
-/// as long as it has something to undo or redo. For other shortcuts with Ctrl and for function keys, the field commits
-/// its text, then the shortcut runs.
+/// as long as it has something to undo or redo. For other shortcuts with Ctrl or the left Alt key, for function keys
+/// and for those that turn pages, the field commits its text, then the shortcut runs.
 void CanvasInput::fieldKey(const InputEvent &event, Shell &context) {
     const bool functionKey = event.code >= key::kF1 && event.code < key::kF1 + 12;
-    if (!event.pressed || (!modifiers_.control() && !functionKey)) {
+    const bool pageKey = event.code == key::kPageUp || event.code == key::kPageDown;
+    const bool alt = modifiers_ == kAlt && imgui::keyHeld(key::kLeftAlt); // the right one types characters
+    if (!event.pressed || (!modifiers_.control() && !functionKey && !pageKey && !alt)) {
         return;
     }
     const Shortcut shortcut{event.code, modifiers_};

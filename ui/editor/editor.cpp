@@ -103,6 +103,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
         Diagnostics faults;
         c.settings = loadSettings(parts_->options.settingsFolder / "settings.json", &faults);
         c.log.add(faults);
+        c.lessons.folder = parts_->options.settingsFolder / "answers";
     }
     parts_->savedSettings = c.settings;
     c.tools.tools = makeTools();

@@ -104,7 +104,8 @@ void Editor::Parts::takeResults(bool cancels) {
         context.preview = context.examiner.preview();
         previewTaken = steadySeconds();
     }
-    if (before != context.run.snapshot() || previewed || judged) {
+    const bool planned = context.examiner.layers().refresh();
+    if (before != context.run.snapshot() || previewed || judged || planned) {
         context.animate();
     }
 }
@@ -123,6 +124,11 @@ bool asksInDialog(const Shell &context) {
            (context.dialogs.any() && dynamic_cast<const PreviewDialog *>(context.dialogs.top()) == nullptr);
 }
 
+/// Returns true if the boundary layers of the last run are those of the document.
+bool showsRunLayers(const RunControl &run) {
+    return run.now().layers != nullptr && !run.outOfDate();
+}
+
 void Editor::Parts::followDocument() {
     const bool previewed = context.preview->revision == context.document.revision();
     const bool gestureOver = previewed && !ImGui::IsAnyMouseDown() && !offersDrawing(context);
@@ -133,6 +139,12 @@ void Editor::Parts::followDocument() {
     if (!gestureUnderWay() || context.run.followedRevision() == context.run.meshRevision()) {
         context.examiner.submit(context.document.sharedDomain(), context.document.revision(),
                                 context.document.spacing());
+    }
+    if (!showsLayer(context.layers, "rays") || showsRunLayers(context.run)) {
+        context.examiner.layers().abandon();
+    } else {
+        context.examiner.layers().submit(context.document.sharedDomain(), context.document.revision(),
+                                         context.document.spacing());
     }
 }
 

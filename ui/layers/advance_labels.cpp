@@ -102,21 +102,29 @@ double covered(const AdvanceMarks &marks, const PixelRect &rect, double rim) {
     return static_cast<double>(lines) + 2.0 * static_cast<double>(points);
 }
 
+/// Returns true if a rectangle is within `rim` pixels of the edge of the canvas, or beyond.
+bool touchesEdge(const PixelRect &canvas, const PixelRect &rect, double rim) {
+    return rect.x < canvas.x + rim || rect.y < canvas.y + rim || rect.x + rect.width > canvas.x + canvas.width - rim ||
+           rect.y + rect.height > canvas.y + canvas.height - rim;
+}
+
 } // namespace
 
-void labelOfAdvance(CanvasPainter &painter, const LayerFrame &frame, const Moment &moment, Vec2 at, Vec2 away,
-                    const std::string &text) {
+void labelOfAdvance(CanvasPainter &painter, const LayerFrame &frame, const Moment &moment, const AdvanceLabel &label) {
+    const Vec2 at = label.at;
+    const std::string &text = label.text;
     ImFont *const font = frame.fonts.small;
     const AdvanceMarks marks = marksAround(frame, moment);
     const Pixel place = painter.camera().toPixel(at);
     const PixelRect atPlace = painter.labelRect(at, {}, text, font);
     const Pixel half = 0.5 / frame.scale * Pixel(atPlace.width, atPlace.height);
     const Pixel shift = (atPlace.centre() - place) / frame.scale;
-    const double ahead = std::atan2(-away.y, away.x); // on the screen, y points down
+    const double ahead = std::atan2(-label.away.y, label.away.x); // on the screen, y points down
 
     constexpr int kDirections = 16;
     constexpr double kRims[] = {7.0, 19.0, 32.0}; // from the point to the label, design pixels
     constexpr double kPointRim = 6.0;             // radius of what marks a point
+    constexpr double kEdgeRim = 4.0;              // of the canvas
     double best = std::numeric_limits<double>::infinity();
     std::optional<Pixel> found;
     bool beside = true;
@@ -126,8 +134,10 @@ void labelOfAdvance(CanvasPainter &painter, const LayerFrame &frame, const Momen
             const double angle = ahead + 2.0 * std::numbers::pi * turn / kDirections;
             const Pixel ray{std::cos(angle), std::sin(angle)};
             const Pixel offset = (rim + std::abs(ray.x) * half.x + std::abs(ray.y) * half.y) * ray - shift;
-            const double cost = covered(marks, painter.labelRect(at, offset, text, font), kPointRim * frame.scale) +
-                                0.04 * std::abs(turn) + 0.02 * (rim - kRims[0]);
+            const PixelRect rect = painter.labelRect(at, offset, text, font);
+            const double cost = covered(marks, rect, kPointRim * frame.scale) + 0.04 * std::abs(turn) +
+                                0.02 * (rim - kRims[0]) +
+                                (touchesEdge(frame.camera.viewport, rect, kEdgeRim * frame.scale) ? 0.8 : 0.0);
             if (cost < best && painter.freeOffset(at, std::span(&offset, 1), text, font)) {
                 best = cost;
                 found = offset;
@@ -135,9 +145,12 @@ void labelOfAdvance(CanvasPainter &painter, const LayerFrame &frame, const Momen
             }
         }
     }
-    painter.label(at, found.value_or(Pixel(10.0, -24.0)), text, frame.theme.base, labelPlate(frame.theme), font);
+    if (!found && label.optional) {
+        return;
+    }
+    painter.label(at, found.value_or(Pixel(10.0, -24.0)), text, label.colour, labelPlate(frame.theme), font);
     if (!beside) {
-        painter.leader(at, frame.theme.base);
+        painter.leader(at, label.colour);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,18 +40,19 @@ std::string noteOf(const ShortenedRay &ray, const LayerFrame &frame) {
 }
 
 /// Draws the rays of boundary layers, the number of their layers, and those that are shorter than asked for with what
-/// stopped them.
+/// stopped them. Before a run, and once the drawing has changed, they are planned ones, with their rows.
 class BoundaryLayersLayer final : public Layer {
   public:
     const char *id() const override { return "rays"; }
     const char *name() const override { return "Boundary layers"; }
 
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
-        const LayerReport *const report = frame.snapshot.layers.get();
-        if (report == nullptr || frame.outOfDate) {
-            return;
-        }
+        const bool isMade = frame.snapshot.layers != nullptr && !frame.outOfDate;
+        const LayerReport *const report = isMade ? frame.snapshot.layers.get() : &frame.layerPlan->rows.report;
         const Box2 visible = frame.camera.visible();
+        if (!isMade) {
+            drawRows(painter, frame, frame.layerPlan->rows, visible);
+        }
         std::size_t drawn = 0;
         for (const LayerLine &line : report->lines) {
             if (drawn < kMaxLines && isSeen(frame, visible, line.base, line.end, kMinLine)) {
@@ -65,6 +67,22 @@ class BoundaryLayersLayer final : public Layer {
   private:
     static bool isSeen(const LayerFrame &frame, const Box2 &visible, Vec2 from, Vec2 to, double pixels) {
         return boxOf(from, to).overlaps(visible) && frame.camera.zoom * distance(from, to) >= pixels * frame.scale;
+    }
+
+    /// Draws the rows, those closer than a few pixels to the one below left out.
+    static void drawRows(CanvasPainter &painter, const LayerFrame &frame, const LayerRows &rows, const Box2 &visible) {
+        constexpr double kApart = 3.0; // design pixels
+        std::size_t drawn = 0;
+        std::optional<Vec2> below;
+        for (const auto &[from, to] : rows.pieces) {
+            const bool isApart = !below || frame.camera.zoom * distance(*below, from) >= kApart * frame.scale;
+            if (drawn == kMaxLines || !isApart || !isSeen(frame, visible, from, to, kMinLine)) {
+                continue;
+            }
+            painter.line(from, to, fade(frame.theme.constraint, 0.45), 1.0);
+            below = from;
+            ++drawn;
+        }
     }
 
     static void drawShortened(CanvasPainter &painter, const LayerFrame &frame, const LayerReport &report,

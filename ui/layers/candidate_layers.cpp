@@ -1,3 +1,4 @@
+#include "core/teaching/moment/candidate_sides.hpp"
 #include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/advance_labels.hpp"
@@ -6,7 +7,6 @@
 #include "ui/workspace/view/candidate_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -18,7 +18,7 @@ constexpr std::size_t kMaxRanks = 7;
 
 /// Returns the length of the base segment on the screen, in design pixels: a measure of the room for labels.
 double roomOf(const LayerFrame &frame, const AdvanceExplanation &advance) {
-    return frame.camera.zoom * distance(advance.a, advance.b) / frame.scale;
+    return frame.camera.zoom * distance(advance.a, advance.b) / frame.roomScale;
 }
 
 Colour verdictColour(const Theme &theme, Verdict verdict, bool judged) {
@@ -26,46 +26,6 @@ Colour verdictColour(const Theme &theme, Verdict verdict, bool judged) {
         return theme.candidate;
     }
     return verdict == Verdict::Accepted ? theme.accepted : theme.bad;
-}
-
-using Side = std::array<Vec2, 2>;
-
-/// Returns the sides of the elements made beyond their base, without the one that the two halves of a square share.
-std::vector<Side> newSidesOf(const AdvanceExplanation &e) {
-    std::vector<Side> sides;
-    for (const auto &[p, q, r] : e.made) {
-        sides.push_back({q, r});
-        sides.push_back({r, p});
-    }
-    if (e.square == SquareKind::None || e.made.size() != 2) {
-        return sides;
-    }
-    std::erase_if(sides, [&](const Side &side) {
-        const auto has = [&](std::size_t half, Vec2 node) {
-            return std::ranges::find(e.made[half], node) != e.made[half].end();
-        };
-        return has(0, side[0]) && has(0, side[1]) && has(1, side[0]) && has(1, side[1]);
-    });
-    return sides;
-}
-
-/// Returns the sides that a candidate would add.
-std::vector<Side> sidesOf(const AdvanceExplanation &e, const CandidateTrace &c) {
-    switch (c.square) {
-    case SquareKind::Row:
-        return {{c.over.front(), c.position}, {c.position, c.over.back()}};
-    case SquareKind::Opening:
-        return {{c.over.front(), c.second}, {c.second, c.position}, {c.position, c.over.back()}};
-    case SquareKind::Closing:
-        return {{c.second, c.position}};
-    case SquareKind::None:
-        break;
-    }
-    std::vector<Side> sides;
-    for (const Vec2 from : c.over.empty() ? std::vector<Vec2>{e.a, e.b} : c.over) {
-        sides.push_back({from, c.position});
-    }
-    return sides;
 }
 
 /// Draws a candidate so that its shape alone tells its verdict: a disc with a tick is accepted, a ring with a cross
@@ -116,7 +76,7 @@ class CandidatesLayer final : public Layer {
             for (const auto &[p, q, r] : e.made) {
                 painter.triangle(p, q, r, fade(theme.accepted, 0.2 + 0.35 * frame.fresh));
             }
-            for (const Side &side : newSidesOf(e)) {
+            for (const PlacedSide &side : newSidesOf(e)) {
                 painter.line(side[0], side[1], theme.accepted, 2.0);
             }
         }
@@ -128,8 +88,8 @@ class CandidatesLayer final : public Layer {
         }
         if (moment.idealKnown) {
             painter.cross(e.ideal, 4.5, theme.base, 1.75);
-            if (roomOf(frame, e) > 60.0) {
-                labelOfAdvance(painter, frame, moment, e.ideal, e.ideal - midpoint(e.a, e.b), "C");
+            if (roomOf(frame, e) > kLabelledBase) {
+                labelOfAdvance(painter, frame, moment, {e.ideal, e.ideal - midpoint(e.a, e.b), "C", theme.base});
             }
         }
     }
@@ -160,14 +120,15 @@ class CandidatesLayer final : public Layer {
             return;
         }
         for (std::size_t i = 0; words && i < moment.candidates; ++i) {
-            painter.reserve(e.candidates[i].position, 5.0); // no label covers another candidate
+            painter.reserve(e.candidates[i].position, 5.0); // no label covers a candidate
         }
         const std::size_t labelled = words ? std::min(moment.candidates, kMaxRanks) : 0;
         for (std::size_t i = 0; i < labelled; ++i) {
             const CandidateTrace &candidate = e.candidates[i];
             const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
-            painter.freeLabel(candidate.position, {11.0, -7.0}, candidateLabel(candidate, i, moment), colour,
-                              labelPlate(theme), frame.fonts.small);
+            labelOfAdvance(
+                painter, frame, moment,
+                {candidate.position, {1.0, 0.0}, candidateLabel(candidate, i, moment), colour, /*optional=*/true});
         }
     }
 
@@ -222,7 +183,7 @@ class TestsLayer final : public Layer {
             const Colour colour = trying ? theme.candidate : verdictColour(theme, candidate.verdict, true);
             const bool accepted = tried && candidate.verdict == Verdict::Accepted;
             if (!accepted || !moment.updated || chosen) {
-                for (const Side &side : sidesOf(e, candidate)) {
+                for (const PlacedSide &side : sidesOf(e, candidate)) {
                     painter.dashed(side[0], side[1], fade(colour, chosen ? 1.0 : 0.8), chosen ? 2.5 : 1.5, 5.0);
                 }
             }

@@ -55,7 +55,7 @@ class FrontLayer final : public Layer {
         }
         const AdvanceExplanation &e = *moment.advance;
         const Theme &theme = frame.theme;
-        const double pixels = frame.camera.zoom * distance(e.a, e.b) / frame.scale;
+        const double pixels = frame.camera.zoom * distance(e.a, e.b) / frame.roomScale;
         painter.line(e.a, e.b, theme.base, 5.0);
         painter.dot(e.a, 4.5, theme.base);
         painter.dot(e.b, 4.5, theme.base);
@@ -63,12 +63,12 @@ class FrontLayer final : public Layer {
         if (pixels < 14.0) {
             painter.ring(midpoint(e.a, e.b), 13.0, theme.base, 2.0); // too small to find otherwise
         }
-        if (pixels > 60.0) {
+        if (pixels > kLabelledBase) {
             // Beyond the ends, on the meshed side, which has no candidates.
             const Vec2 along = e.b - e.a;
             const Vec2 right{along.y, -along.x};
-            labelOfAdvance(painter, frame, moment, e.a, right - along, nodeLabel("A", e.nodeA));
-            labelOfAdvance(painter, frame, moment, e.b, right + along, nodeLabel("B", e.nodeB));
+            labelOfAdvance(painter, frame, moment, {e.a, right - along, nodeLabel("A", e.nodeA), theme.base});
+            labelOfAdvance(painter, frame, moment, {e.b, right + along, nodeLabel("B", e.nodeB), theme.base});
         }
     }
 

@@ -16,7 +16,7 @@ namespace forefront {
 namespace {
 
 /// Draws what ties or divides edges: cracks as two lines, periodic parts with a line between them, and the regions that
-/// are filled by rows.
+/// are filled by rows, with their corners.
 class LinksLayer final : public Layer {
   public:
     const char *id() const override { return "links"; }
@@ -36,6 +36,9 @@ class LinksLayer final : public Layer {
                 painter.freeLabel(marker.at, Pixel(10.0, 10.0), "rows", frame.theme.muted,
                                   fade(frame.theme.popup, 0.82), frame.fonts.small);
             }
+        }
+        for (const MappedSpec &spec : frame.document.mapped) {
+            drawCorners(painter, frame, spec);
         }
     }
 
@@ -80,6 +83,28 @@ class LinksLayer final : public Layer {
                 points.push_back(curve.point(t) + side * Vec2{-along.y, along.x});
             }
             painter.polyline(points, false, frame.theme.constraint, 1.5);
+        }
+    }
+
+    /// Draws the corners of the faces of a mapped region with their numbers; given ones that no face has, as faults.
+    static void drawCorners(CanvasPainter &painter, const LayerFrame &frame, const MappedSpec &spec) {
+        constexpr double kHalfSide = 4.0; // design pixels
+        const auto outlines = frame.preview.mapped.find(spec.region);
+        if (frame.preview.revision != frame.revision || outlines == frame.preview.mapped.end()) {
+            return; // the corners follow with the preview
+        }
+        bool all = true;
+        for (const MappedOutline &outline : outlines->second) {
+            all = all && !outline.corners.empty();
+            for (std::size_t k = 0; k < outline.corners.size(); ++k) {
+                const Vec2 at = outline.nodes[outline.corners[k]];
+                painter.handle(at, kHalfSide, frame.theme.constraint, frame.theme.canvas);
+                painter.freeLabel(at, Pixel(9.0, -9.0), std::to_string(k + 1), frame.theme.muted,
+                                  fade(frame.theme.popup, 0.82), frame.fonts.small);
+            }
+        }
+        for (std::size_t k = 0; k < spec.corners.size() && !all; ++k) {
+            painter.handle(spec.corners[k], kHalfSide, frame.theme.bad, frame.theme.canvas);
         }
     }
 

@@ -3,6 +3,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/canvas/label_offsets.hpp"
 #include "ui/canvas/region_label.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -13,6 +14,7 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -52,8 +54,10 @@ class MarksLayer final : public Layer {
             drawMarker(painter, frame, markers[k], crowded);
         }
         // All marks come first, so that none is drawn across the label of another one.
+        const std::vector<OutlineLine> outlines =
+            seenSources.empty() ? std::vector<OutlineLine>() : outlinesIn(frame, visible);
         for (std::size_t k = 0; k < std::min(seenSources.size(), kMaxSpacingLabels); ++k) {
-            labelSource(painter, frame, seenSources[k]);
+            labelSource(painter, frame, outlines, seenSources[k]);
         }
         std::size_t drawn = 0;
         for (const auto &shape : frame.document.shapes) {
@@ -140,18 +144,55 @@ class MarksLayer final : public Layer {
         painter.reserve(at, kMarkRing);
     }
 
-    static void labelSource(CanvasPainter &painter, const LayerFrame &frame, std::size_t index) {
+    /// A piece of an outline, in pixels.
+    using OutlineLine = std::pair<Pixel, Pixel>;
+
+    /// Returns the outlines in view. Of very many, a label cannot keep clear.
+    static std::vector<OutlineLine> outlinesIn(const LayerFrame &frame, const Box2 &visible) {
+        constexpr std::size_t kMaxOutlineLines = 4000;
+        constexpr int kPiecesOfCurve = 8;
+        std::vector<OutlineLine> lines;
+        for (const auto &shape : frame.document.shapes) {
+            if (shape->hidden || !boundsOf(*shape).overlaps(visible)) {
+                continue;
+            }
+            const Outline outline = outlineOf(*shape);
+            for (std::size_t k = 0; k < outline.segmentCount() && lines.size() < kMaxOutlineLines; ++k) {
+                const Curve curve = outline.curve(k);
+                const int pieces = curve.kind() == CurveKind::Line ? 1 : kPiecesOfCurve;
+                for (int i = 0; i < pieces; ++i) {
+                    lines.emplace_back(frame.camera.toPixel(curve.point(static_cast<double>(i) / pieces)),
+                                       frame.camera.toPixel(curve.point(static_cast<double>(i + 1) / pieces)));
+                }
+            }
+        }
+        return lines;
+    }
+
+    static void labelSource(CanvasPainter &painter, const LayerFrame &frame, const std::vector<OutlineLine> &outlines,
+                            std::size_t index) {
         const SizeSource &source = frame.document.spacing.sources[index];
         const std::string text = ui::format("%s  \xcf\x81=%.3g", displayName(source, index).c_str(), source.size);
-        writeBeside(painter, frame, placeOf(source), text);
+        writeBeside(painter, frame, outlines, placeOf(source), text);
         if (source.shape == SourceShape::Line && source.endSize) {
-            writeBeside(painter, frame, source.b, ui::format("\xcf\x81=%.3g", *source.endSize));
+            writeBeside(painter, frame, outlines, source.b, ui::format("\xcf\x81=%.3g", *source.endSize));
         }
     }
 
-    /// Writes a text beside a mark: on the usual side, or wherever there is room.
-    static void writeBeside(CanvasPainter &painter, const LayerFrame &frame, Vec2 at, const std::string &text) {
-        painter.freeLabel(at, {10.0, -18.0}, text, frame.theme.text, labelPlate(frame.theme), frame.fonts.small);
+    /// Writes a text beside a mark, on the usual side or wherever there is room: off the outlines if it can be.
+    static void writeBeside(CanvasPainter &painter, const LayerFrame &frame, const std::vector<OutlineLine> &outlines,
+                            Vec2 at, const std::string &text) {
+        ImFont *const font = frame.fonts.small;
+        const Pixel size = painter.labelSize(text, font);
+        std::vector<Pixel> offsets = offsetsBeside(size, {10.0, -18.0});
+        const std::vector<Pixel> farther = offsetsBeside(size, {26.0, -18.0});
+        offsets.insert(offsets.end(), farther.begin(), farther.end());
+        std::stable_partition(offsets.begin(), offsets.end(), [&](Pixel offset) {
+            const PixelRect rect = painter.labelRect(at, offset, text, font);
+            return std::none_of(outlines.begin(), outlines.end(),
+                                [&rect](const OutlineLine &line) { return meets(rect, line.first, line.second); });
+        });
+        painter.freeLabel(at, offsets, text, frame.theme.text, labelPlate(frame.theme), font);
     }
 
     static void drawNodeSizes(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape, std::size_t &drawn) {

@@ -1,16 +1,21 @@
 #include "ui/lessons/lesson_list.hpp"
 
-#include "core/drawing/document/equality.hpp"
+#include "core/engine/base/hash.hpp"
+#include "core/files/source/source.hpp"
 #include "core/teaching/lesson/lesson_file.hpp"
 #include "ui/lessons/highlight_names.hpp"
-#include "ui/lessons/lesson_answers.hpp"
+#include "ui/lessons/kept_answers.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <set>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,23 +23,34 @@ namespace forefront {
 
 namespace {
 
-/// Returns the seed of the random numbers of a lesson.
-std::uint64_t seedOf(const Shell &context, const std::string &id) {
+constexpr std::size_t kMaxDrawing = std::size_t{64} << 20; ///< bytes
+
+/// Returns a text that differs between versions of a lesson: of its file, or of the files of its drawings.
+std::string editionOf(const LessonFile &file) {
+    std::set<std::string> drawings;
+    for (const LessonPage &page : file.lesson.pages) {
+        drawings.insert(page.documentName);
+    }
+    Hash64 hash;
+    hash.add(file.text);
+    for (const std::string &drawing : drawings) {
+        const Result<std::string> bytes = readRegularFile(file.path.parent_path() / drawing, kMaxDrawing);
+        hash.add(drawing);
+        hash.add(bytes ? *bytes : std::string());
+    }
+    return toHex(hash.value());
+}
+
+/// Returns the seed of the random numbers of a lesson: that of its answers, if there are some.
+std::uint64_t seedOf(Shell &context, const std::string &id) {
+    if (const LearnerAnswers *const known = answersTo(context, id); known != nullptr && known->given.seed > 0) {
+        return known->given.seed;
+    }
     const auto progress = context.settings.lessons.find(id);
     return progress == context.settings.lessons.end() ? LessonProgress().seed : progress->second.seed;
 }
 
 } // namespace
-
-bool sameLesson(const LessonEntry &a, const LessonEntry &b) {
-    const auto sameDrawing = [](const LessonPage &one, const LessonPage &other) {
-        return one.document == other.document ||
-               (one.document && other.document && sameContent(*one.document, *other.document));
-    };
-    return a.lesson == b.lesson || (a.textHash == b.textHash && a.lesson->seed == b.lesson->seed &&
-                                    std::equal(a.lesson->pages.begin(), a.lesson->pages.end(), b.lesson->pages.begin(),
-                                               b.lesson->pages.end(), sameDrawing));
-}
 
 Result<LessonEntry> loadLesson(const Shell &context, const std::string &id, const std::filesystem::path &file,
                                std::uint64_t seed) {
@@ -51,8 +67,8 @@ Result<LessonEntry> loadLesson(const Shell &context, const std::string &id, cons
     if (!read) {
         return read.faults();
     }
-    return LessonEntry{id, file, std::make_shared<const Lesson>(std::move(read->lesson)),
-                       std::hash<std::string>()(read->text)};
+    std::string edition = editionOf(*read);
+    return LessonEntry{id, file, std::make_shared<const Lesson>(std::move(read->lesson)), std::move(edition)};
 }
 
 void listLessons(Shell &context) {
@@ -83,20 +99,7 @@ Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file) {
     if (!entry) {
         return entry.faults();
     }
-    const auto open = [entry = *entry](Shell &c) {
-        std::erase_if(c.lessons.list, [&](const LessonEntry &known) { return known.id == entry.id; });
-        c.lessons.list.push_back(entry);
-        openLesson(c, entry);
-    };
-    const auto answers = context.lessons.answers.find(id);
-    if (answers != context.lessons.answers.end() && !sameLesson(answers->second.lesson, *entry)) {
-        afterUnsavedAnswers(context, *entry,
-                            "The lesson \"" + entry->lesson->title +
-                                "\" has changed, and your answers belong to its earlier version.",
-                            "Open without them", open);
-    } else {
-        open(context);
-    }
+    openLesson(context, *entry);
     return {};
 }
 

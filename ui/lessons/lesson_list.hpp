@@ -17,12 +17,9 @@ struct Shell;
 /// `seed`: of its random numbers.
 Result<LessonEntry> loadLesson(const Shell &context, const std::string &id, const std::filesystem::path &file,
                                std::uint64_t seed);
-/// Returns true if two entries hold the same lesson: the same text, random numbers and drawings.
-bool sameLesson(const LessonEntry &a, const LessonEntry &b);
 /// Reads the lessons that come with the program into the list, unless this was done before.
 void listLessons(Shell &context);
-/// Opens the lesson of a file as it is now, and adds it to the list. If the file has changed, answers to the earlier
-/// version are forgotten, after asking about those that are not saved.
+/// Opens the lesson of a file as it is now, and adds it to the list; see openLesson().
 Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file);
 
 } // namespace forefront

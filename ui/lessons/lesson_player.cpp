@@ -2,16 +2,18 @@
 
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/tab_commands.hpp"
+#include "ui/lessons/kept_answers.hpp"
 #include "ui/lessons/lesson_answers.hpp"
-#include "ui/lessons/lesson_list.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/view/chosen_candidate.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -31,11 +33,16 @@ const LessonTask *taskOf(const OpenLesson &open) {
 
 void rememberProgress(Shell &context) {
     const OpenLesson &open = *context.lessons.open;
-    LessonProgress &progress = context.settings.lessons[open.entry.id];
-    progress.page = open.page;
-    if (open.reply == OpenLesson::Reply::Right) {
-        progress.answered.insert(open.page);
-    }
+    context.settings.lessons[open.entry.id].page = open.page;
+}
+
+constexpr int kFramesToReply = 3; ///< until the pane knows the height of a reply, and has scrolled to it
+
+/// Shows the reply to an answer just given.
+void showReply(Shell &context, OpenLesson::Reply reply) {
+    context.lessons.open->reply = reply;
+    context.lessons.open->framesToReply = kFramesToReply;
+    context.animate();
 }
 
 void showPosition(Shell &context, const LessonPosition &position) {
@@ -144,7 +151,8 @@ void showColours(Shell &context, const std::optional<LessonRange> &range) {
     }
 }
 
-/// Shows the panels that the page speaks of, and no others of other workspaces.
+/// Shows the panels that the page speaks of, and no others of other workspaces. Those of a page that names none are the
+/// steps.
 void callPanels(Shell &context, const LessonPage &page) {
     context.called.clear();
     for (const LessonHighlight &highlight : page.highlights) {
@@ -159,6 +167,9 @@ void callPanels(Shell &context, const LessonPage &page) {
     if (!page.panel.empty()) {
         showPanel(context, page.panel);
     }
+    if (context.called.empty()) {
+        context.called.emplace_back("steps"); // gets its room, unless the user has folded it
+    }
 }
 
 void showPage(Shell &context) {
@@ -171,6 +182,10 @@ void showPage(Shell &context) {
     open.complaint.clear();
     open.hint = page.question ? page.question->hint : "";
     open.shown = false;
+    open.restored = false;
+    open.before.clear();
+    open.fresh = true;
+    open.framesToReply = 0;
     open.tried.reset();
     open.settled = false;
     open.framesSettled = 0;
@@ -208,13 +223,29 @@ void bringBackDrawing(Shell &context) {
     goToPage(context, context.lessons.open->page);
 }
 
-void openLesson(Shell &context, const LessonEntry &entry) {
+namespace {
+
+/// Puts a lesson into the list, in place of an earlier version.
+void addToList(std::vector<LessonEntry> &list, const LessonEntry &entry) {
+    const auto known =
+        std::find_if(list.begin(), list.end(), [&](const LessonEntry &each) { return each.id == entry.id; });
+    if (known != list.end()) {
+        *known = entry;
+    } else {
+        list.push_back(entry);
+    }
+}
+
+/// Opens a lesson in place of the drawing that is shown.
+void openHere(Shell &context, const LessonEntry &entry) {
     afterLeaving(context, [entry](Shell &c) {
         closeLesson(c);
-        const auto answers = c.lessons.answers.find(entry.id);
-        if (answers != c.lessons.answers.end() && !sameLesson(answers->second.lesson, entry)) {
-            c.lessons.answers.erase(answers);
+        if (const LearnerAnswers *const known = answersTo(c, entry.id);
+            known != nullptr && !belongTo(known->given, entry)) {
+            dropAnswers(c, entry.id);
         }
+        addToList(c.lessons.list, entry);
+        c.lessons.last = entry.id;
         c.lessons.drawingLoaded = showsLessonDrawing(c) ? c.lessons.drawingLoaded : 0; // another tab may have that
         c.tools.choose("select", c);
         OpenLesson open{.entry = entry};
@@ -224,10 +255,11 @@ void openLesson(Shell &context, const LessonEntry &entry) {
         open.workspaceBefore = c.settings.workspace;
         open.panelsBefore = c.view.panels;
         open.coloursBefore = c.view;
-        const LessonProgress &progress = c.settings.lessons[entry.id];
-        const std::size_t last = entry.lesson->pages.size() - 1;
-        const bool finished = progress.page >= last && progress.answered.size() >= questionsOf(*entry.lesson);
-        open.page = finished ? 0 : std::min(progress.page, last);
+        open.unitBefore = std::exchange(c.run.granularity, Granularity::Advance);
+        const std::size_t page = c.settings.lessons[entry.id].page, last = entry.lesson->pages.size() - 1;
+        const AnswerCount count = countKnown(c, entry.id);
+        const bool finished = page >= last && count.answered + count.shown >= questionsOf(*entry.lesson);
+        open.page = finished ? 0 : std::min(page, last);
         chooseWorkspace(c, WorkspaceKind::Step);
         c.lessons.open = std::move(open);
         c.lessons.visible = true;
@@ -235,11 +267,21 @@ void openLesson(Shell &context, const LessonEntry &entry) {
     });
 }
 
+} // namespace
+
+void openLesson(Shell &context, const LessonEntry &entry) {
+    afterEarlierAnswers(context, entry, [entry](Shell &c) { openHere(c, entry); });
+}
+
 void closeLesson(Shell &context) {
     if (!context.lessons.open) {
         return;
     }
     showTabOfLesson(context);
+    const auto quality = context.lessons.open->layersBefore.find("quality");
+    if (quality != context.lessons.open->layersBefore.end() && !quality->second) {
+        context.coloursBefore.reset(); // colours of a mesh that the lesson has shown do not follow it
+    }
     // While the lesson is open, its layers are not kept as the user's.
     chooseWorkspace(context, context.lessons.open->workspaceBefore);
     context.called.clear();
@@ -248,6 +290,7 @@ void closeLesson(Shell &context) {
         showLayer(context.layers, layer, visible);
     }
     context.view.panels = open.panelsBefore;
+    context.run.granularity = open.unitBefore;
     context.view.following = false;
     if (open.coloursBefore != context.view) {
         static_cast<ColourChoice &>(context.view) = open.coloursBefore;
@@ -308,11 +351,9 @@ void answerChoice(Shell &context, std::size_t choice) {
     open.picked = choice;
     const LessonState state = questionState(context);
     const bool right = isRight(*choices, choice, state);
-    open.reply = right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
     open.hint = hintAfter(*question, choice);
     recordAnswer(context, withValues(choices->list[choice].text, state), right);
-    rememberProgress(context);
-    context.animate();
+    showReply(context, right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong);
 }
 
 void answerNumber(Shell &context) {
@@ -327,13 +368,11 @@ void answerNumber(Shell &context) {
     open.complaint = typed ? "" : "'" + open.typed + "' is not a number; expected one such as 12 or 0.5.";
     const LessonState state = questionState(context);
     const bool right = typed && isRight(*number, *typed, state);
-    open.reply = right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
     if (typed) {
         open.hint = hintAfter(*question, *typed, state);
         recordAnswer(context, open.typed, right);
     }
-    rememberProgress(context);
-    context.animate();
+    showReply(context, right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong);
 }
 
 void showAnswer(Shell &context) {
@@ -341,6 +380,7 @@ void showAnswer(Shell &context) {
     const auto &question = context.lessons.open->now().question;
     if (question && question->show) {
         context.lessons.open->shown = true;
+        recordShown(context);
         showPosition(context, *question->show);
         context.animate();
     }
@@ -361,23 +401,23 @@ void followLesson(Shell &context) {
     if (open.done && showSameMoment(*open.done, *now)) {
         open.done = now;
     }
+    restoreAnswer(context);
     const LessonTask *const task = taskOf(open);
-    if (task == nullptr || !open.settled || !own || open.reply == OpenLesson::Reply::Right) {
+    if (task == nullptr || !open.settled || !own || open.isSolved()) {
         return;
     }
     const LessonState state = lessonState(context);
     if (isDone(*task, state)) {
         open.done = now;
-        open.reply = OpenLesson::Reply::Right;
         if (!open.shown) {
             recordAnswer(context, taskAnswer(*now), true);
         }
-        rememberProgress(context);
-        context.animate();
+        showReply(context, open.shown ? OpenLesson::Reply::Shown : OpenLesson::Reply::Right);
     } else if (asksForCandidate(*task)) {
         open.reply = state.chosen ? OpenLesson::Reply::Wrong : OpenLesson::Reply::None;
         if (state.chosen && state.chosen != open.tried) {
             recordAnswer(context, candidateAnswer(*state.chosen), false);
+            showReply(context, OpenLesson::Reply::Wrong);
         }
         open.tried = state.chosen;
     }

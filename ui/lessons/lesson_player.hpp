@@ -13,7 +13,7 @@ struct Shell;
 
 /// Opens a lesson at the page where it was left, after asking about unsaved changes to a drawing of the user. The
 /// drawing of a lesson is replaced without asking, unless it was saved as a file. Answers to an earlier version of the
-/// lesson are forgotten.
+/// lesson are forgotten, after asking about those that are not saved. The entry takes its place in the list.
 void openLesson(Shell &context, const LessonEntry &entry);
 /// Returns to the list of lessons. Layers, panels, tab and colours are as before the lesson; the drawing stays.
 void closeLesson(Shell &context);
@@ -41,7 +41,7 @@ LessonState questionState(const Shell &context);
 void answerChoice(Shell &context, std::size_t choice);
 /// Answers the question of the page by the number typed, with a point or a comma.
 void answerNumber(Shell &context);
-/// Moves the run to where the answer can be seen.
+/// Moves the run to where the answer can be seen, and records that it was shown.
 void showAnswer(Shell &context);
 /// Notes the state that the page is about, and checks whether a task is done. Called once per frame.
 void followLesson(Shell &context);

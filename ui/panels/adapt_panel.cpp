@@ -252,11 +252,12 @@ class AdaptPanel final : public Panel {
             return;
         }
         plot.series.push_back(std::move(series));
-        ui::logPlot(context, "adapt/plot", plot, 170.0, ui::PlotLegend::Without);
         ui::small(context,
                   ui::format("Slope of the line: %.2f. Uniform refinement reaches -0.5 where the field is smooth.",
                              law->exponent),
                   true);
+        ui::mark(context, "adapt/slope");
+        ui::logPlot(context, "adapt/plot", plot, 150.0, ui::PlotLegend::Without);
     }
 
     std::string field_; ///< name of the nodal values; empty: the expression

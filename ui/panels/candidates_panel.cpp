@@ -1,4 +1,5 @@
 #include "core/teaching/moment/moment.hpp"
+#include "core/teaching/moment/short_texts.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -41,46 +42,6 @@ constexpr Columns kSquareColumns{{{"", 0.06F},
 
 const Columns &columnsOf(const AdvanceExplanation &e) {
     return e.coloured ? kSquareColumns : kColumns;
-}
-
-const char *shortVerdict(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::NotTried:
-        return "\xe2\x80\x93";
-    case Verdict::Accepted:
-        return "accepted";
-    case Verdict::Withdrawn:
-        return "too near";
-    case Verdict::NotLeft:
-        return "behind AB";
-    case Verdict::OutsideAngle:
-        return "outside";
-    case Verdict::CrossesFront:
-        return "crosses";
-    case Verdict::ContainsNode:
-        return "node inside";
-    case Verdict::BadShape:
-        return "bad shape";
-    case Verdict::OneColour:
-        return "one colour";
-    case Verdict::FlatCorner:
-        return "flat corner";
-    }
-    return "";
-}
-
-std::string nodeText(const CandidateTrace &candidate) {
-    switch (candidate.square) {
-    case SquareKind::Row:
-        return "row";
-    case SquareKind::Opening:
-        return "open";
-    case SquareKind::Closing:
-        return "close";
-    case SquareKind::None:
-        break;
-    }
-    return candidate.node == kNoNode ? std::string("C") : std::to_string(index(candidate.node));
 }
 
 /// Returns δ worked out for a side: "δ(AC) = 0.95: min(L/ρ, ρ/L), L = 0.105, ρ = 0.1".
@@ -242,7 +203,7 @@ class CandidatesPanel final : public Panel {
                                                                 : theme.bad;
         drawCells(context, {at.x, std::round(at.y + 0.5F * (height - ImGui::GetFontSize()))}, width,
                   columnsOf(*moment.advance),
-                  {std::to_string(i + 1), nodeText(c), known(c.alpha, 3), known(c.deltaAC, 2), known(c.deltaCB, 2),
+                  {std::to_string(i + 1), shortName(c), known(c.alpha, 3), known(c.deltaAC, 2), known(c.deltaCB, 2),
                    known(c.score, 3), judged ? shortVerdict(c.verdict) : "\xe2\x80\x93"},
                   theme.text, verdict);
     }

@@ -36,7 +36,10 @@ class HistogramPanel final : public Panel {
             return;
         }
         drawUnfinishedNote(context, "histogram");
-        drawMeasureChoice(context, "histogram/measure", 118.0F);
+        // Beside the range and the button that fits it.
+        constexpr float kRange = 2.0F * 48.0F + 3.0F * 4.0F + 44.0F, kLeast = 96.0F, kMost = 170.0F; // design pixels
+        const float beside = ImGui::GetContentRegionAvail().x / context.scale - kRange;
+        drawMeasureChoice(context, "histogram/measure", std::clamp(beside, kLeast, kMost));
         if (judgement->summary.count == 0) {
             ui::small(context, noneText(*judgement), true);
             ui::mark(context, "histogram/none");
@@ -52,6 +55,7 @@ class HistogramPanel final : public Panel {
         const float height = context.px(110);
         drawBars(context, *judgement, at, {room.x, height});
         drawAxis(context, judgement->histogram, {at.x, at.y + height}, room.x);
+        ui::mark(context, "histogram/axis");
     }
 
   private:
@@ -128,8 +132,13 @@ class HistogramPanel final : public Panel {
                 std::max(context.px(2), size.y * static_cast<float>(std::sqrt(static_cast<double>(bins[i])) / largest));
             const Colour colour =
                 fade(barColour(context, judgement, i), context.view.isolatedBin && !alone ? 0.35 : 1.0);
-            list.AddRectFilled({corner.x + 0.5F, corner.y + size.y - tall}, {corner.x + each - 0.5F, corner.y + size.y},
-                               hovered || alone ? mix(colour, context.theme.text, 0.35) : colour, context.px(1));
+            const ImVec2 upper{corner.x + 0.5F, corner.y + size.y - tall},
+                lower{corner.x + each - 0.5F, corner.y + size.y};
+            list.AddRectFilled(upper, lower, hovered || alone ? mix(colour, context.theme.text, 0.35) : colour,
+                               context.px(1));
+            if (context.theme.kind == ThemeKind::Light) { // on which the colours of a good mesh are almost invisible
+                list.AddRect(upper, lower, context.theme.fieldBorder, context.px(1));
+            }
             if (clicked) {
                 context.view.isolatedBin = alone ? std::nullopt : std::optional(static_cast<int>(i));
                 context.animate();
@@ -164,6 +173,8 @@ class HistogramPanel final : public Panel {
             const float left = std::clamp(x - textWidth / 2, at.x, at.x + width - textWidth);
             list.AddText({left, at.y + context.px(3)}, context.theme.muted, text.c_str());
         }
+        ImGui::SetCursorScreenPos(at);
+        ImGui::Dummy({width, context.px(3) + ImGui::GetTextLineHeight()}); // the panel is as high as its content
         ImGui::PopFont();
     }
 };

@@ -5,6 +5,7 @@
 #include "core/drawing/names/region_commands.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "ui/panels/form.hpp"
+#include "ui/panels/mapped_rows.hpp"
 #include "ui/panels/part_rows.hpp"
 #include "ui/panels/size_rows.hpp"
 #include "ui/panels/source_growth.hpp"
@@ -132,7 +133,7 @@ void inspectRegion(Shell &context, std::uint32_t index) {
     ui::rowTooltip(context, "Maximum area of an element in this region");
     regionSizeRow(context, index);
     regionElementsRow(context, marker.tag);
-    mappedRow(context, marker.tag);
+    mappedRows(context, marker);
     if (ui::button(context, "inspector/delete", "Delete")) {
         context.actions.run("edit.delete", context);
     }

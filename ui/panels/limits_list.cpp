@@ -53,6 +53,7 @@ void drawVerdict(Shell &context, const LimitVerdict &verdict, const std::string 
     ui::tooltip(context, toString(verdict));
     if (verdict.broken > 0) {
         ImGui::SameLine(0, context.px(5));
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y); // level with the icon
         drawPlaces(context, verdict, name);
     }
 }

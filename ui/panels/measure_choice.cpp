@@ -15,6 +15,8 @@ namespace forefront {
 
 namespace {
 
+constexpr float kRangeField = 48.0F; ///< width, design pixels
+
 /// A field of the file, as an entry of the list of measures.
 struct FieldChoice {
     MeshPart part;
@@ -70,10 +72,10 @@ void drawMeasureRange(Workspace &context, const Judgement &judgement, const std:
         return; // its colours have no order
     }
     ColourRange range = measureRange(context);
-    const bool from = ui::inputNumber(context, prefix + "/from", range.from, 52.0F);
+    const bool from = ui::inputNumber(context, prefix + "/from", range.from, kRangeField);
     ui::tooltip(context, "Start of the colour map");
     ImGui::SameLine(0, context.px(4));
-    const bool to = ui::inputNumber(context, prefix + "/to", range.to, 52.0F);
+    const bool to = ui::inputNumber(context, prefix + "/to", range.to, kRangeField);
     ui::tooltip(context, "End of the colour map");
     ImGui::SameLine(0, context.px(4));
     const bool fixed = !judgement.of.fieldValues && fixedRange(judgement.of.measure).has_value();

@@ -214,15 +214,4 @@ void regionElementsRow(Shell &context, std::int32_t region) {
                             "Meshing.");
 }
 
-void mappedRow(Shell &context, std::int32_t region) {
-    bool mapped = isMapped(*context.document.current(), region);
-    form::label(context, "Mapped");
-    if (ui::checkbox(context, "inspector/mapped", "Rows of elements", mapped)) {
-        context.applyCommand(setMapped(*context.document.current(), region, mapped),
-                             mapped ? "Map region" : "Do not map region");
-    }
-    ui::rowTooltip(context, "Fill each face of the region by rows between opposite sides, which get equal numbers of "
-                            "elements. The face needs three or four corners.");
-}
-
 } // namespace forefront

@@ -27,7 +27,5 @@ class PartRows {
 
 /// Draws the elements that a region has of its own.
 void regionElementsRow(Shell &context, std::int32_t region);
-/// Draws whether the faces of a region are filled by rows.
-void mappedRow(Shell &context, std::int32_t region);
 
 } // namespace forefront

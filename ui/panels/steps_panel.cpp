@@ -1,4 +1,5 @@
 #include "core/teaching/moment/moment.hpp"
+#include "core/teaching/moment/short_texts.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/shortened.hpp"

@@ -41,24 +41,35 @@ void placeInBar(const WidgetContext &context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
 }
 
-/// Places the next window of a dialog over the window.
-void placeOnCanvas(const WidgetContext &context, const Dialog &dialog, const std::string &name, bool preview) {
+/// Places the next window over the column, or where that would be: what is on the canvas stays in sight, however narrow
+/// the window.
+void placeOverColumn(const WidgetContext &context) {
+    constexpr double kWidth = 304.0; // of a dialog without a column, design pixels
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const WidgetRegistry::Widget *const bar = context.widgets.find("options");
+    const WidgetRegistry::Widget *const column = context.widgets.find("column");
+    const WidgetRegistry::Widget *const status = context.widgets.find("status/pointer");
+    const float top = bar != nullptr ? static_cast<float>(bar->rect.y + bar->rect.height) : 0.0F;
+    const float bottom = status != nullptr ? static_cast<float>(status->rect.y) : size.y;
+    const float covered = column != nullptr ? static_cast<float>(column->rect.width) : 0.0F;
+    const float width = std::min(std::max(covered, context.px(kWidth)), size.x);
+    ImGui::SetNextWindowPos({size.x - width, top});
+    ImGui::SetNextWindowSize({width, std::max(1.0F, bottom - top)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(12), context.px(12)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+}
+
+/// Places the next window of a dialog over the middle of the window.
+void placeInMiddle(const WidgetContext &context, const Dialog &dialog, const std::string &name) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float margin = context.px(24);
     const float width = std::min(context.px(static_cast<double>(dialog.width())), size.x - margin);
     const float height = std::min(context.px(static_cast<double>(dialog.height())), size.y - margin);
-    if (preview) {
-        const WidgetRegistry::Widget *const bar = context.widgets.find("options");
-        const double below = bar != nullptr ? bar->rect.y + bar->rect.height : 0.0;
-        ImGui::SetNextWindowPos(
-            {std::min(context.px(64), size.x - margin / 2 - width), static_cast<float>(below) + context.px(12)});
-    } else {
-        const WidgetRegistry::Widget *const last = context.widgets.find(name);
-        placeDialog(dialog, last == nullptr ? nullptr : &last->rect, margin);
-    }
-    const float lowest = preview ? std::max(context.px(120), size.y - margin - context.px(64)) : size.y - margin;
+    const WidgetRegistry::Widget *const last = context.widgets.find(name);
+    placeDialog(dialog, last == nullptr ? nullptr : &last->rect, margin);
     ImGui::SetNextWindowSize({width, dialog.height() > 0.0F ? height : 0.0F});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, lowest});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - margin});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(22), context.px(18)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(10));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
@@ -68,7 +79,7 @@ void placeOnCanvas(const WidgetContext &context, const Dialog &dialog, const std
 bool drawTitleRow(WidgetContext &context, const Dialog &dialog, const std::string &name) {
     ImGui::PushFont(context.fonts.title);
     const std::string title = dialog.title();
-    const float button = ImGui::GetWindowWidth() - context.px(22 + 26);
+    const float button = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - context.px(26);
     const std::string shown = ui::withoutMiddle(title, button - ImGui::GetCursorPosX() - context.px(8));
     ImGui::TextUnformatted(shown.c_str());
     ImGui::PopFont();
@@ -115,7 +126,7 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
     const std::string name = std::string("dialog/") + dialog.id();
     auto *const preview = dynamic_cast<PreviewDialog *>(&dialog);
     const bool inBar = preview != nullptr && preview->inOptionsBar();
-    inBar ? placeInBar(context) : placeOnCanvas(context, dialog, name, preview != nullptr);
+    inBar ? placeInBar(context) : preview != nullptr ? placeOverColumn(context) : placeInMiddle(context, dialog, name);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
     ImGui::PushStyleColor(ImGuiCol_PopupBg, context.theme.popup);
     if (!ImGui::IsPopupOpen(title.c_str())) {

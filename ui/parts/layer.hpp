@@ -33,8 +33,9 @@ struct LayerFrame {
     const Camera &camera;
     const Theme &theme;
     const Fonts &fonts;
-    double scale;    ///< pixels per design pixel
-    double gridStep; ///< see Snapping
+    double scale;     ///< pixels per design pixel
+    double roomScale; ///< the same where the room for labels is measured, which a presentation does not make scarcer
+    double gridStep;  ///< see Snapping
     const SessionSnapshot &snapshot;
     const Breakpoints &breakpoints;
     const Document &document;
@@ -42,6 +43,7 @@ struct LayerFrame {
     std::uint64_t revision; ///< of the document
     const DocumentPreview &preview;
     std::shared_ptr<const SpacingRaster> raster;
+    std::shared_ptr<const LayerPlan> layerPlan; ///< of the document or, until it is found, of an earlier revision
     const Selection &selection;
     std::optional<Vec2> pointer;          ///< place under the pointer while it is over the canvas
     std::optional<Vec2> facePlace;        ///< in the face that the tool points at

@@ -7,7 +7,7 @@ namespace forefront {
 /// A dialog that previews its result on the canvas, and does not dim the window.
 class PreviewDialog : public Dialog {
   public:
-    /// Returns true if it takes the place of the options bar, in one row; false: it is in the upper left corner.
+    /// Returns true if it takes the place of the options bar, in one row; false: it takes the place of the column.
     virtual bool inOptionsBar() const { return false; }
     /// Restores the document from before the preview. Called when Esc or the close button closes the dialog, and before
     /// another document is opened.

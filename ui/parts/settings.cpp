@@ -94,14 +94,6 @@ LessonProgress lessonIn(const JsonValue &json) {
     LessonProgress progress;
     progress.page = static_cast<std::size_t>(numberIn(json, "page", 0.0, 0.0, static_cast<double>(kMaxPages)));
     progress.seed = static_cast<std::uint64_t>(numberIn(json, "seed", 1.0, 1.0, static_cast<double>(kMaxLessonSeed)));
-    const auto answered = json.find("answered");
-    if (answered && answered->is(JsonKind::Array)) {
-        for (const JsonValue page : *answered) {
-            if (const auto number = page.integer(); number && *number >= 0 && *number < kMaxPages) {
-                progress.answered.insert(static_cast<std::size_t>(*number));
-            }
-        }
-    }
     return progress;
 }
 
@@ -311,8 +303,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
     }
     json.endObject().key("lessons").beginObject();
     for (const auto &[name, progress] : settings.lessons) {
-        json.key(name).beginObject().member("page", progress.page).member("seed", progress.seed);
-        json.key("answered").values(progress.answered).endObject();
+        json.key(name).beginObject().member("page", progress.page).member("seed", progress.seed).endObject();
     }
     json.endObject().key("recentFiles").values(settings.recentFiles);
     json.key("recentMeshes").values(settings.recentMeshes);

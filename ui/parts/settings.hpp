@@ -29,8 +29,7 @@ struct SavedView {
 /// How far a lesson has been read.
 struct LessonProgress {
     std::size_t page = 0;
-    std::set<std::size_t> answered; ///< pages whose question was answered
-    std::uint64_t seed = 1;         ///< of its random numbers
+    std::uint64_t seed = 1; ///< of its random numbers, until there are answers, which have their own
     friend bool operator==(const LessonProgress &, const LessonProgress &) = default;
 };
 

@@ -17,6 +17,7 @@
 #include "ui/parts/shown_panels.hpp"
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/shell/pointer_hints.hpp"
+#include "ui/shell/presentation.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/ranks.hpp"
@@ -209,11 +210,23 @@ void Canvas::Parts::takeRaster(const Shell &context) {
 }
 
 /// Returns what layers need to draw a frame with `camera`, which must outlive the result.
+namespace {
+
+/// Returns the scale by which room for labels is measured. A presentation shows those that were there before it: its
+/// letters are larger, and its panels leave a canvas that is smaller by about the same factor.
+double roomScale(const Shell &context) {
+    const double factor = context.presentedFrom ? shell::kPresentedScale * shell::kPresentedScale : 1.0;
+    return static_cast<double>(context.scale) / factor;
+}
+
+} // namespace
+
 LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
     return {.camera = camera,
             .theme = context.theme,
             .fonts = context.fonts,
             .scale = static_cast<double>(context.scale),
+            .roomScale = roomScale(context),
             .gridStep = context.snapping.gridStep,
             .snapshot = context.run.now(),
             .breakpoints = context.run.breakpoints(),
@@ -222,6 +235,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .revision = context.document.revision(),
             .preview = *context.preview,
             .raster = raster,
+            .layerPlan = context.examiner.layers().plan(),
             .selection = context.selection,
             .pointer = context.view.pointer,
             .facePlace = context.view.facePlace,
@@ -390,7 +404,7 @@ void reserveSmallOutlines(const Shell &context, CanvasPainter &painter) {
 /// Keeps labels on the canvas, and clear of the plates on it, as placed in the last frame, of the selected nodes and of
 /// what the tool draws.
 void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) {
-    painter.keepInside(context.view.camera.viewport);
+    painter.keepInside(context.view.open);
     for (const auto &[name, widget] : context.widgets.all()) {
         const bool plate = name == "canvas/tools" || name.starts_with("plate/") || name == "hints" ||
                            name == "canvas/plate" || name == "canvas/news" || name == "run" ||

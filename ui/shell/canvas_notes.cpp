@@ -1,6 +1,7 @@
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/pointer_hints.hpp"
+#include "ui/shell/start_page.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -70,9 +71,9 @@ bool hasMeshed(const Shell &context) {
 /// tool at work, and reading.
 bool offersKeys(const Shell &context) {
     const WorkspaceKind workspace = context.settings.workspace;
-    return context.settings.hints && !knowsKeys(context) && workspace != WorkspaceKind::Step &&
-           workspace != WorkspaceKind::Judge && !context.lessons.visible && !context.presentedFrom &&
-           context.tools.current().undoLabel(context).empty();
+    return context.settings.hints && !showsStartPage(context) && !knowsKeys(context) &&
+           workspace != WorkspaceKind::Step && workspace != WorkspaceKind::Judge && !context.lessons.visible &&
+           !context.presentedFrom && context.tools.current().undoLabel(context).empty();
 }
 
 /// Draws as many hints as fit beside the legends, but at least two.
@@ -118,19 +119,32 @@ float roomOfPlates(const WidgetContext &context, const PixelRect &canvas) {
     return static_cast<float>(canvas.width) - context.px(2 * 12 + 2 * 12);
 }
 
-/// Returns the upper right corner of the plate: left of the buttons in the corner of the canvas if it fits there, else
-/// below them. Uses the rectangles of the last frame.
-Pixel cornerOfNotes(const WidgetContext &context, const PixelRect &canvas) {
+/// A corner of a plate at its right: the upper one, or the lower one.
+struct PlateCorner {
+    Pixel at;
+    float pivotY = 0.0F; ///< 0: the upper one, 1: the lower one
+};
+
+/// Returns the place of the plate: left of the buttons in the corner of the canvas if it fits there, else at the lower
+/// edge, which drawings are fitted above, or below the buttons if a legend is there. Uses the rectangles of the last
+/// frame.
+PlateCorner cornerOfNotes(const WidgetContext &context, const PixelRect &canvas) {
     const double gap = 12.0 * static_cast<double>(context.scale), right = canvas.x + canvas.width - gap;
     const WidgetRegistry::Widget *const buttons = context.widgets.find("canvas/tools");
     const WidgetRegistry::Widget *const plate = context.widgets.find("canvas/plate");
     const double width = plate != nullptr ? plate->rect.width : 0.4 * canvas.width;
     if (buttons == nullptr) {
-        return {right, canvas.y + gap};
+        return {{right, canvas.y + gap}};
     }
-    const bool beside = buttons->rect.x - 1.5 * gap - width >= canvas.x;
-    return beside ? Pixel{buttons->rect.x - 0.5 * gap, canvas.y + gap}
-                  : Pixel{right, buttons->rect.y + buttons->rect.height + 0.5 * gap};
+    if (buttons->rect.x - 1.5 * gap - width >= canvas.x) {
+        return {{buttons->rect.x - 0.5 * gap, canvas.y + gap}};
+    }
+    const auto &widgets = context.widgets.all();
+    const bool legend = std::any_of(widgets.begin(), widgets.end(), [&canvas](const auto &widget) {
+        return widget.first.starts_with("canvas/legend/") && widget.second.rect.overlaps(canvas);
+    });
+    return legend ? PlateCorner{{right, buttons->rect.y + buttons->rect.height + 0.5 * gap}}
+                  : PlateCorner{{right, canvas.y + canvas.height - gap}, 1.0F};
 }
 
 void drawOutOfDate(Shell &context, const PixelRect &canvas) {
@@ -141,8 +155,8 @@ void drawOutOfDate(Shell &context, const PixelRect &canvas) {
     if (!context.run.outOfDate() || state == RunState::Empty || state == RunState::Failed) {
         return; // there is no mesh
     }
-    const Pixel corner = cornerOfNotes(context, canvas);
-    const Plate plate(context, "##outofdate", corner.x, corner.y, 1.0F, 0.0F);
+    const PlateCorner corner = cornerOfNotes(context, canvas);
+    const Plate plate(context, "##outofdate", corner.at.x, corner.at.y, 1.0F, corner.pivotY);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
     const bool preview = context.run.preview() && context.run.shownRevision() == context.run.meshRevision();
@@ -174,8 +188,8 @@ void drawTask(Shell &context, const PixelRect &canvas) {
     if (!context.task.busy()) {
         return;
     }
-    const Pixel corner = cornerOfNotes(context, canvas);
-    const Plate plate(context, "##task", corner.x, corner.y, 1.0F, 0.0F);
+    const PlateCorner corner = cornerOfNotes(context, canvas);
+    const Plate plate(context, "##task", corner.at.x, corner.at.y, 1.0F, corner.pivotY);
     {
         ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
         flow.item("stage");

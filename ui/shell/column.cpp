@@ -1,4 +1,5 @@
 #include "ui/parts/shown_panels.hpp"
+#include "ui/shell/cut_edges.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/section_heights.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -37,6 +38,7 @@ float splitter(WidgetContext &context, const char *name, const PixelRect &rect) 
     return ImGui::IsItemActive() ? ImGui::GetIO().MouseDelta.x : 0.0F;
 }
 
+constexpr double kLowestInLesson = 172.0; ///< seven rows, so that few panels show what the page is about
 constexpr double kSectionHeading = 28.0, kSectionGap = 10.0, kLowestSection = 84.0, kColumnPad = 12.0; // design pixels
 
 /// Draws the heading of a section, which folds it.
@@ -46,6 +48,9 @@ void sectionHeading(Shell &context, const Panel &panel, bool open) {
     const float width = ImGui::GetContentRegionAvail().x, height = context.px(kSectionHeading);
     if (ui::hitArea(name.c_str(), width, height)) {
         setFolded(context, panel.id(), open);
+        if (!open && context.lessons.open) {
+            showPanel(context, panel.id()); // gets room like the panels of the page
+        }
     }
     const bool hovered = ImGui::IsItemHovered();
     ui::mark(context, name);
@@ -181,23 +186,6 @@ void reserveScrollbar(float width) {
     ImGui::SetNextWindowContentSize({std::max(1.0F, width - ImGui::GetStyle().ScrollbarSize), 0.0F});
 }
 
-/// Shades the lower edge of the current window where content goes on below it, and the upper edge where it goes on
-/// above, so that a row that is cut looks like one to scroll to.
-void shadeCutEdges(const Shell &context) {
-    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    const float depth = std::min(context.px(20), 0.5F * size.y),
-                right = at.x + size.x - ImGui::GetStyle().ScrollbarSize;
-    const ImU32 whole = context.theme.panel, none = fade(context.theme.panel, 0.0);
-    ImDrawList &list = *ImGui::GetWindowDrawList();
-    if (ImGui::GetScrollY() + 1.0F < ImGui::GetScrollMaxY()) {
-        const float bottom = at.y + size.y;
-        list.AddRectFilledMultiColor({at.x, bottom - depth}, {right, bottom}, none, none, whole, whole);
-    }
-    if (ImGui::GetScrollY() > 1.0F) {
-        list.AddRectFilledMultiColor(at, {right, at.y + depth}, whole, whole, none, none);
-    }
-}
-
 /// Draws the content of a panel in `height` pixels and returns its whole height.
 float drawContent(Shell &context, Panel &panel, float height, float known) {
     const bool whole = known <= height + 1.0F;
@@ -220,15 +208,15 @@ std::vector<Section> sectionsOf(const Shell &context, const std::vector<Panel *>
     ImGuiStorage &storage = *ImGui::GetStateStorage();
     std::vector<Section> sections;
     for (const Panel *panel : panels) {
-        const auto &folded = changesOf(context).folded;
+        // In a lesson, what the user opened outside of it must not take the room of what the page is about.
+        const bool opened = !context.lessons.open && changesOf(context).folded.contains(panel->id());
         const bool called =
             std::find(context.called.begin(), context.called.end(), panel->id()) != context.called.end();
         const bool selected = !context.selection.empty() && std::string_view(panel->id()) == "inspector";
-        sections.push_back(
-            {.open = !isFolded(context, panel->id()),
-             .keepsOpen = called || selected || folded.contains(panel->id()) || context.revealedPanel == panel->id(),
-             .first = called,
-             .content = storage.GetFloat(ImGui::GetID(panel->id()))});
+        sections.push_back({.open = !isFolded(context, panel->id()),
+                            .keepsOpen = called || selected || opened || context.revealedPanel == panel->id(),
+                            .first = called,
+                            .content = storage.GetFloat(ImGui::GetID(panel->id()))});
     }
     return sections;
 }
@@ -237,9 +225,12 @@ void drawSections(Shell &context) {
     followSelection(context);
     const std::vector<Panel *> panels = columnPanels(context);
     std::vector<Section> sections = sectionsOf(context, panels);
-    const SectionMeasures measures{context.px(kSectionHeading), context.px(kSectionGap), context.px(kLowestSection),
-                                   context.lessons.open.has_value()}; // whose pages speak of what they call
-    const std::vector<float> heights = sectionHeights(sections, measures, ImGui::GetContentRegionAvail().y);
+    const bool lesson = context.lessons.open.has_value(); // its pages speak of what they call
+    const float room = ImGui::GetContentRegionAvail().y;
+    const bool roomy = lesson && room > 3.0F * context.px(kLowestInLesson);
+    const SectionMeasures measures{context.px(kSectionHeading), context.px(kSectionGap),
+                                   context.px(roomy ? kLowestInLesson : kLowestSection), lesson};
+    const std::vector<float> heights = sectionHeights(sections, measures, room);
     float y = 0.0F;
     for (std::size_t k = 0; k < panels.size(); ++k) {
         ImGui::SetCursorPosY(y);

@@ -47,6 +47,17 @@ double columnWidth(const Settings &settings, double window) {
     return settings.panelWidth.value_or(std::round(std::clamp(kShare * window, kLeast, kMost)));
 }
 
+/// Returns the width of a dialog in the place of the column, which previews its result on the canvas, in pixels; 0 if
+/// there is none.
+double previewWidth(const Shell &context) {
+    const auto *const preview = dynamic_cast<const PreviewDialog *>(context.dialogs.top());
+    if (preview == nullptr || preview->inOptionsBar()) {
+        return 0.0;
+    }
+    const WidgetRegistry::Widget *const dialog = context.widgets.find(std::string("dialog/") + preview->id());
+    return dialog != nullptr ? dialog->rect.width : 0.0;
+}
+
 } // namespace
 
 bool columnFloats(const Shell &context) {
@@ -104,7 +115,7 @@ Layout layOut(const Shell &context) {
     const double canvasHeight = std::max(1.0, middle - figures - under);
     const double ruler = context.settings.rulers ? px(kRuler) : 0.0, left = tools + lessons;
     layout.canvas = {left + ruler, top + ruler, std::max(1.0, canvas - ruler), std::max(1.0, canvasHeight - ruler)};
-    const double covered = floats ? beside : 0.0;
+    const double covered = std::max(floats ? beside : 0.0, previewWidth(context));
     layout.open = layout.canvas;
     layout.open.width = std::max(1.0, std::min(layout.canvas.width, width - covered - layout.canvas.x));
     layout.rulerX = {left + ruler, top, layout.canvas.width, ruler};
@@ -129,19 +140,6 @@ CanvasBands bandsOf(const Shell &context, const PixelRect &canvas) {
 
 namespace {
 
-/// Returns the right end of a dialog over the canvas that previews its result there; the left end of the canvas if
-/// there is none, or it leaves little room beside it.
-double previewEnd(const Shell &context, const PixelRect &canvas) {
-    constexpr double kLeastRoom = 0.35;
-    const auto *const preview = dynamic_cast<const PreviewDialog *>(context.dialogs.top());
-    if (preview == nullptr || preview->inOptionsBar()) {
-        return canvas.x;
-    }
-    const WidgetRegistry::Widget *const dialog = context.widgets.find(std::string("dialog/") + preview->id());
-    const double end = dialog == nullptr ? canvas.x : dialog->rect.x + dialog->rect.width;
-    return canvas.x + canvas.width - end >= kLeastRoom * canvas.width ? std::max(canvas.x, end) : canvas.x;
-}
-
 /// Returns the height of a drawing of usual proportions that fits into a room.
 double fittedHeight(const PixelRect &room) {
     constexpr double kProportion = 1.5;
@@ -153,16 +151,15 @@ double fittedHeight(const PixelRect &room) {
 PixelRect freeRoom(const Shell &context, const PixelRect &canvas) {
     const CanvasBands bands = bandsOf(context, canvas);
     const double scale = static_cast<double>(context.scale);
-    const double left = previewEnd(context, canvas), width = canvas.x + canvas.width - left;
     // On a small canvas the drawing keeps a third of the height, even if plates cover part of it.
     const double top = std::min(bands.top * scale, 0.2 * canvas.height);
     const double bottom = std::min(bands.bottom * scale, 0.45 * canvas.height);
-    const PixelRect between{left, canvas.y + top, width, canvas.height - top - bottom};
+    const PixelRect between{canvas.x, canvas.y + top, canvas.width, canvas.height - top - bottom};
     // All plates are at the right: a low canvas has more room beside them.
     constexpr double kLow = 420.0, kLayers = 120.0; // design pixels; the button for the layers with its margin
     const double margin = kLegendMargin * scale;
     const double right = std::max(bands.legends, kLayers) * scale;
-    const PixelRect beside{left, canvas.y + margin, width - right, canvas.height - 2.0 * margin};
+    const PixelRect beside{canvas.x, canvas.y + margin, canvas.width - right, canvas.height - 2.0 * margin};
     const bool low = canvas.height < kLow * scale;
     return low && fittedHeight(beside) > fittedHeight(between) ? beside : between;
 }

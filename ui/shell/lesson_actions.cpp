@@ -66,6 +66,16 @@ void choose(Shell &context, std::size_t index) {
     }
 }
 
+/// Moves the keyboard to the field for a number, or picks the tenth lesson from the list.
+void typeOrChoose(Shell &context) {
+    if (!context.lessons.open) {
+        choose(context, 9);
+        return;
+    }
+    context.lessons.open->focus = true;
+    context.animate();
+}
+
 void addPageActions(ActionRegistry &actions) {
     actions.add({.id = "lesson.next",
                  .menu = "Learn",
@@ -83,6 +93,11 @@ void addPageActions(ActionRegistry &actions) {
                  .menu = "Learn",
                  .title = "Save answers\xe2\x80\xa6",
                  .run = saveAnswers,
+                 .enabled = hasAnswersToSave});
+    actions.add({.id = "lesson.forgetAnswers",
+                 .menu = "Learn",
+                 .title = "Forget answers",
+                 .run = forgetAnswers,
                  .enabled = [](const Shell &c) { return isOpen(c) && hasAnswersToSave(c); }});
     actions.add(
         {.id = "lesson.close", .menu = "Learn", .title = "Close lesson", .run = closeLesson, .enabled = isOpen});
@@ -96,14 +111,18 @@ void addPageActions(ActionRegistry &actions) {
     }
     actions.add({.id = "lesson.number",
                  .menu = "",
-                 .title = "Lesson: type the answer",
+                 .title = "Lessons: type the answer, or choose 10",
                  .shortcuts = {{key::k0, kAlt}},
-                 .run =
-                     [](Shell &c) {
-                         c.lessons.open->focus = true;
-                         c.animate();
-                     },
-                 .enabled = isOpen});
+                 .run = typeOrChoose,
+                 .enabled = [](const Shell &c) { return c.lessons.visible; }});
+    for (int k = 10; k < 19; ++k) {
+        actions.add({.id = "lesson.choice" + std::to_string(k + 1),
+                     .menu = "",
+                     .title = "Lessons: choose " + std::to_string(k + 1),
+                     .shortcuts = {{key::k0 + k - 9, Modifiers{Modifiers::kAlt | Modifiers::kShift}}},
+                     .run = [k](Shell &c) { choose(c, static_cast<std::size_t>(k)); },
+                     .enabled = [](const Shell &c) { return c.lessons.visible && !c.lessons.open; }});
+    }
     actions.add({.id = "lesson.show",
                  .menu = "",
                  .title = "Lesson: show me",

@@ -1,8 +1,10 @@
 #include "core/teaching/lesson/glossary.hpp"
+#include "ui/lessons/kept_answers.hpp"
 #include "ui/lessons/lesson_answers.hpp"
 #include "ui/lessons/lesson_list.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/lessons/page_check.hpp"
+#include "ui/shell/cut_edges.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -10,8 +12,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -23,21 +29,34 @@ using Reply = OpenLesson::Reply;
 
 /// Returns how far a lesson has been read: "page 3 of 8", or how many of its questions were answered once it is closed
 /// at its first page.
-std::string progressText(const LessonEntry &entry, const LessonProgress &progress) {
+std::string progressText(const Shell &context, const LessonEntry &entry) {
+    const auto known = context.settings.lessons.find(entry.id);
+    const std::size_t page = known == context.settings.lessons.end() ? 0 : known->second.page;
     const std::size_t pages = entry.lesson->pages.size(), questions = questionsOf(*entry.lesson);
-    if (questions > 0 && progress.answered.size() >= questions) {
+    const auto [answered, shown] = countKnown(context, entry.id);
+    if (questions > 0 && answered >= questions) {
         return ui::format("%s  all %zu questions answered", icon::kCheck, questions);
     }
-    if (progress.page > 0) {
-        return ui::format("page %zu of %zu", std::min(progress.page + 1, pages), pages);
+    if (page > 0 && answered + shown < questions) {
+        return ui::format("page %zu of %zu", std::min(page + 1, pages), pages);
     }
-    return progress.answered.empty() ? ui::format("%zu pages", pages)
-                                     : ui::format("%zu of %zu questions answered", progress.answered.size(), questions);
+    return answered + shown == 0 ? ui::format("%zu pages", pages)
+                                 : ui::format("%zu of %zu questions answered", answered, questions) +
+                                       (shown > 0 ? ui::format(", %zu shown", shown) : std::string());
 }
 
-/// Returns the key of an answer or a lesson, counted from 0: "Alt 1"; nothing beyond the ninth.
+/// Returns the key of an answer, counted from 0: "Alt 1"; nothing beyond the ninth.
 std::string keyText(std::size_t index) {
     return index < 9 ? "Alt " + std::to_string(index + 1) : std::string();
+}
+
+/// Returns the key of a lesson, counted from 0: "Alt 1", "Alt 0" for the tenth, "Alt Shift 1" for the eleventh; nothing
+/// beyond the nineteenth.
+std::string keyOfLesson(std::size_t index) {
+    return index < 9    ? keyText(index)
+           : index == 9 ? std::string("Alt 0")
+           : index < 19 ? "Alt Shift " + std::to_string(index - 9)
+                        : std::string();
 }
 
 /// Draws a row of wrapped text that can be clicked, with a mark to its left.
@@ -57,6 +76,25 @@ bool textRow(Shell &context, const std::string &name, const char *mark, Colour m
     return pressed;
 }
 
+/// Draws the line below a lesson of the list: how far it was read, its answers, and its key at the right.
+void drawProgress(Shell &context, const LessonEntry &entry, const std::string &keys) {
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(48));
+    ui::small(context, progressText(context, entry));
+    ui::mark(context, "lessons/" + entry.id + "/progress");
+    ImGui::PushFont(context.fonts.small);
+    const float width = ImGui::CalcTextSize(keys.c_str()).x;
+    ImGui::PopFont();
+    ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width - context.px(5), ImGui::GetCursorPosX()));
+    ui::small(context, keys);
+    if (knownAnswers(context, entry.id) == nullptr) {
+        return;
+    }
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(48));
+    if (ui::link(context, "lessons/" + entry.id + "/save", "Save answers\xe2\x80\xa6")) {
+        saveAnswersTo(context, entry.id);
+    }
+}
+
 void drawList(Shell &context) {
     listLessons(context);
     ui::wrappedText(
@@ -67,44 +105,81 @@ void drawList(Shell &context) {
         ui::small(context, "No lessons found; set FOREFRONT_ASSETS to the folder that holds lessons/.", true);
         ui::mark(context, "lessons/empty");
     }
-    const LessonEntry *chosen = nullptr;
     ImGui::BeginChild("list", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const bool appears = ImGui::IsWindowAppearing();
+    std::optional<LessonEntry> chosen;
     for (std::size_t k = 0; k < context.lessons.list.size(); ++k) {
         const LessonEntry &entry = context.lessons.list[k];
-        if (textRow(context, "lessons/" + entry.id, keyText(k).c_str(), context.theme.muted, entry.lesson->title)) {
-            chosen = &entry;
+        if (textRow(context, "lessons/" + entry.id, std::to_string(k + 1).c_str(), context.theme.muted,
+                    entry.lesson->title)) {
+            chosen = entry;
         }
         ui::tooltip(context, entry.lesson->about);
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(48));
-        const auto known = context.settings.lessons.find(entry.id);
-        ui::small(context,
-                  progressText(entry, known == context.settings.lessons.end() ? LessonProgress() : known->second));
-        ui::mark(context, "lessons/" + entry.id + "/progress");
+        if (appears && entry.id == context.lessons.last) {
+            ImGui::SetScrollHereY();
+        }
+        drawProgress(context, entry, keyOfLesson(k));
     }
     ImGui::EndChild();
-    if (chosen != nullptr) {
-        openLesson(context, LessonEntry(*chosen));
+    if (chosen) {
+        openLesson(context, *chosen);
+    }
+}
+
+/// A verdict on the last answer, as the pane shows it.
+struct ShownVerdict {
+    std::string text;
+    Colour colour;
+    const char *widget;
+};
+
+ShownVerdict verdictOf(const Theme &theme, Reply reply) {
+    switch (reply) {
+    case Reply::Right:
+        return {std::string(icon::kCheck) + "  Right", theme.good, "lesson/right"};
+    case Reply::Shown:
+        return {"Shown, not answered", theme.muted, "lesson/shown"};
+    default:
+        return {std::string(icon::kCross) + "  Not yet", theme.bad, "lesson/wrong"};
     }
 }
 
 void drawReply(Shell &context, const OpenLesson &open, const LessonQuestion &question) {
     if (open.reply == Reply::None) {
+        if (!open.before.empty()) {
+            ui::small(context, open.before);
+            ui::mark(context, "lesson/before");
+        }
         return;
     }
-    const bool right = open.reply == Reply::Right;
     if (!open.complaint.empty()) {
         ui::wrappedText(open.complaint);
         ui::mark(context, "lesson/complaint");
         return;
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, right ? context.theme.good : context.theme.bad);
-    ImGui::TextUnformatted(right ? (std::string(icon::kCheck) + "  Right").c_str()
-                                 : (std::string(icon::kCross) + "  Not yet").c_str());
+    const ShownVerdict verdict = verdictOf(context.theme, open.reply);
+    ImGui::PushStyleColor(ImGuiCol_Text, verdict.colour);
+    ImGui::TextUnformatted(verdict.text.c_str());
     ImGui::PopStyleColor();
-    ui::mark(context, right ? "lesson/right" : "lesson/wrong");
-    const std::string &more = right ? question.why : open.hint;
+    ui::mark(context, verdict.widget);
+    const std::string &more = open.isSolved() ? question.why : open.hint;
     if (!more.empty()) {
         ui::wrappedText(withValues(more, questionState(context)));
+        ui::mark(context, "lesson/why");
+    }
+}
+
+/// Lets the pane scroll until what was drawn from `top` on is in sight, its top above all.
+void scrollToReply(OpenLesson &open, float top) {
+    if (open.framesToReply == 0) {
+        return;
+    }
+    --open.framesToReply;
+    const float bottom = ImGui::GetCursorPosY(), seen = ImGui::GetScrollY(), room = ImGui::GetWindowHeight();
+    if (bottom > seen + room) {
+        ImGui::SetScrollY(std::min(bottom - room, top));
+    } else if (top < seen) {
+        ImGui::SetScrollY(top);
     }
 }
 
@@ -138,7 +213,7 @@ void drawNumber(Shell &context, OpenLesson &open) {
 
 /// Says that the run shown is not that of the page, if so. Returns true if the page is shown anew.
 bool drawOtherRun(Shell &context, const OpenLesson &open) {
-    if (showsOwnRun(context) || lessonIsElsewhere(context) || !open.settled || open.reply == Reply::Right ||
+    if (showsOwnRun(context) || lessonIsElsewhere(context) || !open.settled || open.isSolved() ||
         !asksAboutRun(*open.now().question)) {
         return false;
     }
@@ -168,16 +243,26 @@ void drawQuestion(Shell &context, OpenLesson &open) {
     if (drawOtherRun(context, open)) {
         return;
     }
+    const float top = ImGui::GetCursorPosY();
     drawReply(context, open, question);
-    if (question.show && open.reply != Reply::Right && ui::link(context, "lesson/show", "Show me (Alt H)")) {
+    scrollToReply(open, top);
+    if (question.show && !open.isSolved() && ui::link(context, "lesson/show", "Show me (Alt H)")) {
         showAnswer(context);
     }
 }
 
 /// Draws the links to what can be done with the answers, and with the random numbers of the lesson.
 void drawAnswerLinks(Shell &context, const OpenLesson &open) {
-    if (hasAnswersToSave(context) && ui::link(context, "lesson/save", "Save answers\xe2\x80\xa6")) {
-        saveAnswers(context);
+    if (hasAnswersToSave(context)) {
+        if (ui::link(context, "lesson/save", "Save answers\xe2\x80\xa6")) {
+            saveAnswers(context);
+        }
+        ImGui::SameLine(0.0F, context.px(16));
+        if (ui::link(context, "lesson/forget", "Forget answers")) {
+            forgetAnswers(context);
+            return;
+        }
+        ui::tooltip(context, "Begin the lesson anew, without the answers given so far");
     }
     const std::uint64_t seed = open.entry.lesson->seed;
     if (seed == 0) {
@@ -266,7 +351,11 @@ void drawOpen(Shell &context) {
     }
     const float footer = context.px(40);
     ImGui::BeginChild("page", {0, ImGui::GetContentRegionAvail().y - footer}, false, ImGuiWindowFlags_NoNav);
+    if (std::exchange(context.lessons.open->fresh, false)) {
+        ImGui::SetScrollY(0.0F);
+    }
     drawPage(context, *context.lessons.open);
+    shadeCutEdges(context);
     ImGui::EndChild();
     ImGui::Dummy({0, context.px(2)});
     drawFooter(context, *context.lessons.open);

@@ -14,7 +14,7 @@ void addLessonActions(ActionRegistry &actions);
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
     PixelRect menu, tabs, options, tools, lessons, canvas, sides, figures, below, column, timeline, status;
-    PixelRect open;           ///< the part of the canvas that the column does not cover
+    PixelRect open;           ///< the part of the canvas that neither the column nor a dialog in its place covers
     PixelRect rulerX, rulerY; ///< above the canvas and left of it; empty if hidden
 };
 Layout layOut(const Shell &context);
@@ -46,8 +46,7 @@ struct CanvasBands {
     double bottom = 0.0;  ///< legends, hints
 };
 CanvasBands bandsOf(const Shell &context, const PixelRect &canvas);
-/// Returns the part of the canvas between the bands, or on a low canvas beside the plates, in pixels. What is beside a
-/// dialog that previews its result counts, if it is large enough.
+/// Returns the part of the canvas between the bands, or on a low canvas beside the plates, in pixels.
 PixelRect freeRoom(const Shell &context, const PixelRect &canvas);
 
 void drawMenuBar(Shell &context, const PixelRect &rect);

@@ -127,7 +127,7 @@ void underlineMnemonic(const char *menu, char mnemonic) {
     ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, ImGui::GetColorU32(ImGuiCol_Text));
 }
 
-constexpr double kLeastTitle = 80.0; ///< width of a title without its middle that can be read, in design pixels
+constexpr double kLeastTitle = 64.0; ///< width of a title without its middle that can be read, in design pixels
 
 /// Draws the title of the document in the middle between two places, without its middle if it does not fit, and not at
 /// all if too little of it would be left; the dot of unsaved changes stays.
@@ -252,8 +252,8 @@ void drawRightEnd(Shell &context, const PixelRect &rect) {
     ImGui::SetCursorPos({icons, (static_cast<float>(rect.height) - icon) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), 0));
     const bool shown = columnShown(context);
-    if (ui::iconButton(context, "menu/panels", icon::kPanels, shown ? "Hide panels (Tab)" : "Show panels (Tab)", !shown,
-                       true, 26.0F)) {
+    if (ui::iconButton(context, "menu/panels", icon::kPanels, shown ? "Hide panels (Tab)" : "Show panels (Tab)",
+                       shown && columnFloats(context), true, 26.0F)) {
         context.actions.run("view.panels", context);
     }
     ImGui::SameLine();

@@ -1,5 +1,6 @@
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/start_page.hpp"
 #include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -141,7 +142,9 @@ void drawLayers(Shell &context, const PixelRect &canvas) {
         context.plates.layers = false;
         return;
     }
-    drawLayersButton(context, canvas);
+    if (!showsStartPage(context)) { // which has the canvas for itself
+        drawLayersButton(context, canvas);
+    }
     const bool needed = lessonNeedsLayers(context);
     if (!context.plates.layers && !needed) {
         return;

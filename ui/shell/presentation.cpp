@@ -34,13 +34,6 @@ constexpr std::array<const char *, kStepCount> kProgram{
     "until \xce\x93 = \xe2\x88\x85",
 };
 
-std::string lineOfProgram(Step step, const FrontRules *rules) {
-    if (step == Step::TakeBase && rules != nullptr) {
-        return "AB := " + std::string(wordOf(rules->base)) + " segment of \xce\x93";
-    }
-    return kProgram[static_cast<std::size_t>(step) - 1];
-}
-
 /// Draws a line of the program in a row of a height, with its value below.
 void drawLine(Shell &context, Step step, const std::string &line, const std::string &value, bool here, float height) {
     const bool inLoop = step != Step::BoundaryToFront && step != Step::Finish;
@@ -68,6 +61,16 @@ void drawLine(Shell &context, Step step, const std::string &line, const std::str
 }
 
 } // namespace
+
+std::string presentedLine(Step step, const FrontRules *rules, bool quads) {
+    if (quads) {
+        return squareStepLine(step);
+    }
+    if (step == Step::TakeBase && rules != nullptr) {
+        return "AB := " + std::string(wordOf(rules->base)) + " segment of \xce\x93";
+    }
+    return kProgram[static_cast<std::size_t>(step) - 1];
+}
 
 void togglePresentation(Shell &context) {
     if (context.presentedFrom) {
@@ -99,7 +102,8 @@ void drawPresentedSteps(Shell &context, const PixelRect &rect) {
     const Moment moment = momentOf(run);
     const std::optional<Step> live = liveStep(run, moment);
     const FrontRules rules = moment ? moment.advance->rules : context.document.current()->options.rules;
-    const FrontRules *const shown = context.run.method() == Method::Classic ? &rules : nullptr;
+    const bool quads = context.run.showsQuads();
+    const FrontRules *const shown = context.run.method() == Method::Classic && !quads ? &rules : nullptr;
     const float room = ImGui::GetContentRegionAvail().y;
     const float height =
         std::clamp(room / static_cast<float>(kStepCount), 2.0F * ImGui::GetTextLineHeight(), context.px(48));
@@ -107,7 +111,7 @@ void drawPresentedSteps(Shell &context, const PixelRect &rect) {
     for (int k = 1; k <= kStepCount; ++k) {
         const Step step = static_cast<Step>(k);
         const std::string value = step == Step::BoundaryToFront ? "repeat" : stepFinding(moment, step);
-        drawLine(context, step, lineOfProgram(step, shown), value, live == step, height);
+        drawLine(context, step, presentedLine(step, shown, quads), value, live == step, height);
     }
     ImGui::PopStyleVar();
     ImGui::End();

@@ -17,7 +17,9 @@ namespace forefront::shell {
 
 namespace {
 
-constexpr double kPageWidth = 720.0; // design pixels
+constexpr double kPageWidth = 720.0;                     // design pixels
+constexpr double kWidePage = 700.0, kWideMargin = 24.0;  // of a page with wide margins, design pixels
+constexpr double kNarrowMargin = 8.0, kNarrowPad = 16.0; // of a narrower one
 constexpr std::size_t kPageCards = 3, kPageSamples = 6;
 
 /// Returns true while there is nothing else to see on the canvas, and nothing is being made.
@@ -96,6 +98,11 @@ void drawLessonLinks(Shell &context) {
 
 } // namespace
 
+bool showsStartPage(const Shell &context) {
+    return context.plates.start && nothingYet(context) && std::string_view(context.tools.current().id()) == "select" &&
+           !context.task.busy();
+}
+
 void StartPage::drawCards(Shell &context) {
     if (!samples_) {
         std::vector<DrawingCards::Card> cards = sampleCards();
@@ -153,20 +160,19 @@ void StartPage::draw(Shell &context, const PixelRect &canvas) {
         recent_.reset();
         return;
     }
-    if (std::string_view(context.tools.current().id()) != "select" || context.task.busy()) {
-        return;
-    }
-    const double scale = static_cast<double>(context.scale), margin = 56.0 * scale;
-    const double width = std::min((kPageWidth + 48.0) * scale, canvas.width - 24.0 * scale);
+    const double scale = static_cast<double>(context.scale);
+    const bool wide = canvas.width >= kWidePage * scale;
+    const double margin = (wide ? kWideMargin : kNarrowMargin) * scale, pad = wide ? kWideMargin : kNarrowPad;
+    const double width = std::min((kPageWidth + 2.0 * pad) * scale, canvas.width - 2.0 * margin);
     const double height = canvas.height - 2.0 * margin;
-    if (width < 1.0 || height < 1.0) {
+    if (!showsStartPage(context) || width < 1.0 || height < 1.0) {
         return;
     }
-    ImGui::SetNextWindowPos({static_cast<float>(canvas.centre().x), static_cast<float>(canvas.y + margin)},
-                            ImGuiCond_Always, {0.5F, 0.0F});
+    ImGui::SetNextWindowPos({static_cast<float>(canvas.centre().x), static_cast<float>(canvas.centre().y)},
+                            ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSizeConstraints({static_cast<float>(width), 0.0F},
                                         {static_cast<float>(width), static_cast<float>(height)});
-    const ui::PopupStyle style(context, 24, 20, 8);
+    const ui::PopupStyle style(context, pad, wide ? 20.0 : kNarrowPad, 8);
     ImGui::Begin("##start", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |

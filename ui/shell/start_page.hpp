@@ -14,6 +14,9 @@ struct Shell;
 
 namespace shell {
 
+/// Returns true while the start page is on the canvas, which then shows no other plates.
+bool showsStartPage(const Shell &context);
+
 /// The page on an empty canvas with ways to begin: new, open, trace, import, recent drawings, samples, lessons. It is
 /// not modal, and goes when a tool is chosen or there is something to see.
 class StartPage {

@@ -157,10 +157,7 @@ MeshChip meshChip(const Shell &context) {
                    : MeshChip{"mesh of a file", theme.muted, "A mesh read from a file, unchanged"};
     }
     if (context.run.outOfDate()) {
-        // A drawing tool takes digits as coordinates.
-        return {std::string_view(context.tools.current().id()) == "select" ? "out of date, press 2"
-                                                                           : "out of date, click to mesh",
-                theme.warn, "The drawing has changed; click to mesh it again"};
+        return {"out of date", theme.warn, "The drawing has changed; click to mesh it again"};
     }
     if (context.run.preview()) {
         return {"coarse preview", theme.warn, "Live meshing shows a coarser mesh; click to make the whole one"};
@@ -213,8 +210,9 @@ void addFigures(Cells &cells, Shell &context) {
     const bool quads = context.run.makesQuads();
     const double predicted = context.preview->estimatedElements / (quads ? kTrianglesPerQuad : 1.0);
     const bool differs = run.quality.elements == 0 || context.run.preview() || context.run.outOfDate();
+    const std::string rounded = ui::count(roundedTo2(predicted));
     if (predicted > 0.0 && differs &&
-        cells.addRight("estimate", "about " + ui::count(roundedTo2(predicted)) + (quads ? " quads" : " triangles"),
+        cells.addRight("estimate", "about " + rounded + (quads ? " quad" : " triangle") + (rounded == "1" ? "" : "s"),
                        context.theme.muted)) {
         cells.clicked("estimate");
         ui::tooltip(context, quads ? "Predicted number of quadrilaterals; it may differ where sizes change fast"

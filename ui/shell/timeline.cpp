@@ -175,7 +175,7 @@ std::string stateText(const Shell &context) {
                    : "A mesh read from a file, unchanged; remesh its outline to watch the front.";
     }
     if (atEnd && context.run.outOfDate() && !context.preview->faults.empty()) {
-        return "The mesh is out of date: " + faultText(context.preview->faults.front());
+        return faultText(context.preview->faults.front()); // the chip in the status bar says that it is out of date
     }
     if (atEnd && run.coarsening > 1.0) {
         return "A preview with " + ui::number(run.coarsening, 2) + " times the node spacing of the drawing.";

@@ -25,6 +25,7 @@ class LogPlotView {
         right_ = static_cast<float>(rect.x + rect.width) - context.px(legend == PlotLegend::With ? kLegend : kMargin);
         top_ = static_cast<float>(rect.y) + context.px(kAbove);
         bottom_ = static_cast<float>(rect.y + rect.height) - context.px(kBelow);
+        end_ = static_cast<float>(rect.x + rect.width);
     }
 
     void draw() {
@@ -77,8 +78,10 @@ class LogPlotView {
                 horizontal ? list_.AddLine({x, top_}, {x, bottom_}, ink) : list_.AddLine({left_, y}, {right_, y}, ink);
                 if (k == 1 && (d - decades.first) % step == 0) {
                     const std::string number = ui::format("%g", std::pow(10.0, d));
-                    horizontal ? words(x, bottom_ + context_.px(4), number, 0.5F, context_.theme.muted)
-                               : words(left_ - context_.px(6), y - context_.px(8), number, 1.0F, context_.theme.muted);
+                    const float half = 0.5F * ImGui::CalcTextSize(number.c_str()).x;
+                    horizontal
+                        ? words(std::min(x, end_ - half), bottom_ + context_.px(4), number, 0.5F, context_.theme.muted)
+                        : words(left_ - context_.px(6), y - context_.px(8), number, 1.0F, context_.theme.muted);
                 }
             }
         }
@@ -124,6 +127,7 @@ class LogPlotView {
     Decades x_, y_;
     PlotLegend legend_;
     float left_ = 0.0F, right_ = 0.0F, top_ = 0.0F, bottom_ = 0.0F; ///< of the marks, in pixels
+    float end_ = 0.0F;                                              ///< right edge of the whole plot
 };
 
 } // namespace

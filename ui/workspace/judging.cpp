@@ -2,18 +2,19 @@
 
 #include "core/engine/geometry/polygon.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/style/imgui_versions.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 #include "ui/workspace/workspace.hpp"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -298,6 +299,74 @@ std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double re
 
 namespace {
 
+/// Two lines of text beside a part of the mesh, one below the other.
+struct PartPlate {
+    std::string value; ///< empty: there is only the second line
+    std::string where;
+    ImFont *strong, *small; ///< the fonts of the lines
+
+    static constexpr double kLine = 24.0; ///< from the first line to the second, design pixels
+    double second() const { return value.empty() ? 0.0 : kLine; }
+};
+
+/// Returns the rectangles of the lines of a plate at an offset from a place, in pixels.
+std::array<PixelRect, 2> rectsOf(const CanvasPainter &painter, const PartPlate &plate, Vec2 at, Pixel offset) {
+    const PixelRect where = painter.labelRect(at, offset + Pixel(0.0, plate.second()), plate.where, plate.small);
+    return {plate.value.empty() ? where : painter.labelRect(at, offset, plate.value, plate.strong), where};
+}
+
+/// Returns true if the corners of a rectangle are all on elements or all off them: it covers no outline.
+bool isEven(const Judgement &judgement, const Camera &camera, const PixelRect &rect) {
+    const auto meshed = [&](double x, double y) { return elementAt(judgement, camera.toPlane({x, y})) != kNoIndex; };
+    if (!judgement.tree) {
+        return true; // not known yet
+    }
+    const double right = rect.x + rect.width, below = rect.y + rect.height;
+    const bool first = meshed(rect.x, rect.y);
+    return meshed(right, rect.y) == first && meshed(rect.x, below) == first && meshed(right, below) == first &&
+           meshed(rect.centre().x, rect.centre().y) == first;
+}
+
+/// Returns the offset of a plate beside a part, in design pixels: on a side with room for it, where it covers neither
+/// the part nor an outline, if there is one; none if there is no room on any side.
+std::optional<Pixel> offsetBeside(const CanvasPainter &painter, const PixelRect &open, const Judgement &judgement,
+                                  const PartPlate &plate, Vec2 at, std::span<const Vec2> nodes) {
+    constexpr double kGap = 10.0; // design pixels
+    const Camera &camera = painter.camera();
+    const double scale = painter.scale();
+    Box2 part;
+    for (const Vec2 node : nodes) {
+        const Pixel p = (camera.toPixel(node) - camera.toPixel(at)) / scale;
+        part.add(Vec2{p.x, p.y});
+    }
+    const auto [value, where] = rectsOf(painter, plate, at, {});
+    const Pixel pad = Pixel(camera.toPixel(at).x - value.x, camera.toPixel(at).y - value.y) / scale;
+    const double width = std::max(value.width, where.width) / scale, height = plate.second() + where.height / scale;
+    const Vec2 middle = part.centre();
+    const Pixel corners[] = {
+        {part.max.x + kGap, middle.y - 0.5 * height},         {part.min.x - kGap - width, middle.y - 0.5 * height},
+        {middle.x - 0.5 * width, part.min.y - kGap - height}, {middle.x - 0.5 * width, part.max.y + kGap},
+        {part.max.x + kGap, part.min.y - kGap - height},      {part.min.x - kGap - width, part.min.y - kGap - height}};
+    std::optional<Pixel> found;
+    for (const Pixel corner : corners) {
+        const Pixel offset = corner + pad, below = offset + Pixel(0.0, plate.second());
+        const auto rects = rectsOf(painter, plate, at, offset);
+        const auto inside = [&open](const PixelRect &rect) {
+            return open.contains({rect.x, rect.y}) && open.contains({rect.x + rect.width, rect.y + rect.height});
+        };
+        if (!inside(rects[0]) || !inside(rects[1]) ||
+            !painter.freeOffset(at, std::span(&below, 1), plate.where, plate.small) ||
+            (!plate.value.empty() && !painter.freeOffset(at, std::span(&offset, 1), plate.value, plate.strong))) {
+            continue;
+        }
+        if (isEven(judgement, camera, rects[0]) && isEven(judgement, camera, rects[1])) {
+            return offset;
+        }
+        found = found.value_or(offset);
+    }
+    return found;
+}
+
 /// Says beside a part what the measure is there, its number and its place; in full even for large coordinates.
 void drawPlate(CanvasPainter &painter, const Workspace &context, const Judgement &judgement, const MeshPick &pick) {
     const bool measured = judgement.info.part == pick.part && pick.index < judgement.values.size();
@@ -308,27 +377,26 @@ void drawPlate(CanvasPainter &painter, const Workspace &context, const Judgement
     const Vec2 at = placeOf(judgement, pick.part, pick.index);
     const int decimals =
         std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(context.view.camera.length(1.0)))), 0, 12);
-    const std::string where = std::string(kParts[static_cast<std::size_t>(pick.part)]) + ' ' +
-                              std::to_string(pick.index) +
-                              ui::format(" at (%.*f, %.*f)", decimals, at.x, decimals, at.y);
-    const Colour plate = fade(context.theme.popup, 0.95);
+    const PartPlate plate{measured ? judgement.name + ' ' + valueText(judgement, judgement.values[pick.index], 4)
+                                   : std::string(),
+                          std::string(kParts[static_cast<std::size_t>(pick.part)]) + ' ' + std::to_string(pick.index) +
+                              ui::format(" at (%.*f, %.*f)", decimals, at.x, decimals, at.y),
+                          context.fonts.strong, context.fonts.small};
     const PixelRect &open = context.view.open;
+    const std::vector<Vec2> nodes = nodesOf(judgement, pick);
+    const std::optional<Pixel> found = offsetBeside(painter, open, judgement, plate, at, nodes);
     const double right = open.x + open.width - context.view.camera.toPixel(at).x; // to a column over the canvas
-    const auto beside = [&](const std::string &text, ImFont *font) {
+    const auto put = [&](const std::string &text, ImFont *font, Colour colour, double y, const char *name) {
         constexpr double kGap = 16.0; // design pixels
-        const ImVec2 size = font->CalcTextSizeA(imgui::lineOf(*font), 1e9F, 0.0F, text.c_str());
-        return std::min(kGap, (right - static_cast<double>(size.x)) / painter.scale() - kGap);
+        const double width = painter.labelRect(at, {}, text, font).width;
+        const Pixel over{std::min(kGap, (right - width) / painter.scale() - kGap), 14.0 + y};
+        painter.label(at, found ? *found + Pixel(0.0, y) : over, text, colour, fade(context.theme.popup, 0.95), font);
+        painter.nameLabel(name);
     };
-    double y = 14.0;
     if (measured) {
-        const std::string value = judgement.name + ' ' + valueText(judgement, judgement.values[pick.index], 4);
-        painter.label(at, {beside(value, context.fonts.strong), y}, value, context.theme.text, plate,
-                      context.fonts.strong);
-        painter.nameLabel("probe/plate/value");
-        y += 24.0;
+        put(plate.value, plate.strong, context.theme.text, 0.0, "probe/plate/value");
     }
-    painter.label(at, {beside(where, context.fonts.small), y}, where, context.theme.muted, plate, context.fonts.small);
-    painter.nameLabel("probe/plate/place");
+    put(plate.where, plate.small, context.theme.muted, plate.second(), "probe/plate/place");
 }
 
 } // namespace

@@ -32,7 +32,8 @@ class Run:
     """A run that moves one advance of the front at a time. Use each run from one thread at a time.
 
     Iterating moves it forward and gives a :class:`Moment` after each advance. The state at a position does not depend on
-    the way there, and :meth:`finish` gives the mesh of :func:`mesh`.
+    the way there, and :meth:`finish` gives the mesh of :func:`mesh`. Ctrl-C ends a move at the position reached, from where
+    the run can go on; in :meth:`finish`, it ends the run.
     """
 
     def __init__(self, job: Job, progress: Any = None) -> None:

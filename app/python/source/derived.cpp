@@ -1,11 +1,11 @@
 #include "app/python/source/derived.hpp"
 
-#include "app/reports/report.hpp"
 #include "app/python/source/arrays.hpp"
 #include "app/python/source/domain.hpp"
 #include "app/python/source/faults.hpp"
 #include "app/python/source/job.hpp"
 #include "app/python/source/progress_calls.hpp"
+#include "app/reports/report.hpp"
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"

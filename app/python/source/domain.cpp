@@ -5,6 +5,7 @@
 #include "app/python/source/progress_calls.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/engine/domain/add_loop.hpp"
+#include "core/engine/domain/curved_bounds.hpp"
 #include "core/engine/domain/validate.hpp"
 
 #include <map>
@@ -249,34 +250,55 @@ void bindParts(py::class_<PythonDomain> &domain) {
 }
 
 void bindProperties(py::class_<PythonDomain> &domain) {
-    domain.def_property_readonly("nodes", [](const PythonDomain &self) { return pointArray(self.domain.nodes); })
-        .def_property_readonly("segments", &segmentArray)
-        .def_property_readonly("segment_tags", &segmentTags)
-        .def_property_readonly("holes", [](const PythonDomain &self) { return pointArray(self.domain.holeMarkers); })
-        .def_property_readonly("regions", &regionList)
+    domain
+        .def_property_readonly(
+            "nodes", [](const PythonDomain &self) { return pointArray(self.domain.nodes); },
+            "The nodes as given, a copy: shape (n, 2).")
+        .def_property_readonly(
+            "segments", &segmentArray,
+            "The segments of the boundary and of lines, a copy: shape (k, 2), indices into ``nodes``. "
+            "Those of curves are chords.")
+        .def_property_readonly("segment_tags", &segmentTags,
+                               "The tag of each segment, a copy: shape (k,); ``boundary_names`` has their names.")
+        .def_property_readonly(
+            "holes", [](const PythonDomain &self) { return pointArray(self.domain.holeMarkers); },
+            "The points that mark holes, a copy: shape (h, 2); they count only if ``marks_holes``.")
+        .def_property_readonly(
+            "regions", &regionList,
+            "The region markers, as a list of ((x, y), tag); ``region_names`` has the names of tags.")
         .def_property(
             "boundary_names", [](const PythonDomain &self) { return self.domain.boundaryNames; },
-            [](PythonDomain &self, Names names) { self.domain.boundaryNames = std::move(names); })
+            [](PythonDomain &self, Names names) { self.domain.boundaryNames = std::move(names); },
+            "The names of boundary parts by tag, a copy: assign a dict to change them. A tag without an entry is "
+            "'boundary_TAG'.")
         .def_property(
             "region_names", [](const PythonDomain &self) { return self.domain.regionNames; },
-            [](PythonDomain &self, Names names) { self.domain.regionNames = std::move(names); })
+            [](PythonDomain &self, Names names) { self.domain.regionNames = std::move(names); },
+            "The names of regions by tag, a copy: assign a dict to change them. A tag without an entry is "
+            "'region_TAG'.")
         .def_property(
             "curve_tolerance", [](const PythonDomain &self) { return self.domain.curveTolerance; },
-            [](PythonDomain &self, double tolerance) { self.domain.curveTolerance = tolerance; })
+            [](PythonDomain &self, double tolerance) { self.domain.curveTolerance = tolerance; },
+            "The maximum distance of a curve from its edges in the mesh, in units of the coordinates; 0: 1/2000 of the "
+            "diagonal of the domain.")
         .def_property(
             "marks_holes", [](const PythonDomain &self) { return self.domain.insideRule == InsideRule::HoleMarkers; },
             [](PythonDomain &self, bool marked) {
                 self.domain.insideRule = marked ? InsideRule::HoleMarkers : InsideRule::EvenOdd;
-            })
+            },
+            "Whether only faces with a marker are holes; otherwise, a loop inside another one is a hole.")
         .def_property_readonly("_notes", [](const PythonDomain &self) { return faultList(self.notes); })
         .def("_add_notes",
              [](PythonDomain &self, const Diagnostics &notes) {
                  self.notes.insert(self.notes.end(), notes.begin(), notes.end());
              })
-        .def_property_readonly("bounds", [](const PythonDomain &self) {
-            const Box2 box = self.domain.bounds();
-            return py::make_tuple(box.min.x, box.min.y, box.max.x, box.max.y);
-        });
+        .def_property_readonly(
+            "bounds",
+            [](const PythonDomain &self) {
+                const Box2 box = curvedBounds(self.domain);
+                return py::make_tuple(box.min.x, box.min.y, box.max.x, box.max.y);
+            },
+            "The box around all nodes and curves: (x_min, y_min, x_max, y_max).");
 }
 
 } // namespace

@@ -251,19 +251,40 @@ PythonMesh pythonMesh(Mesh mesh) {
 void bindMesh(py::module_ &module) {
     py::class_<PythonMesh> mesh(module, "MeshBase");
     mesh.def(py::init<const PythonMesh &>())
-        .def_property_readonly("nodes", &nodeArray)
-        .def_property_readonly("elements", &elementArray)
-        .def_property_readonly("blocks", &blockArrays)
-        .def_property_readonly("regions", &regionArray)
-        .def_property_readonly("edges", &edgeArray)
-        .def_property_readonly("edge_tags", &edgeTagArray)
+        .def_property_readonly("nodes", &nodeArray, "The coordinates of the nodes: shape (n, 2), float64.")
+        .def_property_readonly(
+            "elements", &elementArray,
+            "The nodes of each element, counter-clockwise: shape (m, 3), or (m, 4, 6, 8 or 9) for other "
+            "kinds; a mesh of several kinds has ``blocks``.")
+        .def_property_readonly("blocks", &blockArrays,
+                               "A dict from the kind of elements, such as 'triangle3', to their nodes.")
+        .def_property_readonly("regions", &regionArray,
+                               "The tag of the region of each element: shape (m,); through all blocks in turn.")
+        .def_property_readonly("edges", &edgeArray,
+                               "The edges of the boundary and of lines: shape (k, 2), their end nodes.")
+        .def_property_readonly("edge_tags", &edgeTagArray,
+                               "The tag of the boundary part or line of each of the ``edges``: shape (k,).")
         .def_property_readonly("_points", &pointArrays)
-        .def_property_readonly("boundary_names", [](const PythonMesh &self) { return self.mesh->boundaryNames; })
-        .def_property_readonly("region_names", [](const PythonMesh &self) { return self.mesh->regionNames; })
-        .def_property_readonly("neighbours", &neighbourArray)
-        .def_property_readonly("hash", [](const PythonMesh &self) { return meshHash(*self.mesh); })
-        .def_property_readonly("notes", [](const PythonMesh &self) { return faultList(self.notes); })
-        .def_property_readonly("element_count", [](const PythonMesh &self) { return self.mesh->elementCount(); })
+        .def_property_readonly(
+            "boundary_names", [](const PythonMesh &self) { return self.mesh->boundaryNames; },
+            "The names of boundary parts and lines by tag, a copy.")
+        .def_property_readonly(
+            "region_names", [](const PythonMesh &self) { return self.mesh->regionNames; },
+            "The names of regions by tag, a copy.")
+        .def_property_readonly(
+            "neighbours", &neighbourArray,
+            "The element beyond each edge of an element, -1 at the boundary: shape (m, 3 or 4); edge k "
+            "joins corner k to the next.")
+        .def_property_readonly(
+            "hash", [](const PythonMesh &self) { return meshHash(*self.mesh); },
+            "The hash of the mesh, as ``forefront mesh`` prints it; it does not depend on the numbering.")
+        .def_property_readonly(
+            "notes", [](const PythonMesh &self) { return faultList(self.notes); },
+            "What is no fault: what the reader left out, what repairs changed, sizes and limits that could not be "
+            "kept.")
+        .def_property_readonly(
+            "element_count", [](const PythonMesh &self) { return self.mesh->elementCount(); },
+            "The number of elements.")
         .def("_triangles", &triangleArrays)
         .def("_triangulated", [](const PythonMesh &self) { return pythonMesh(triangulated(*self.mesh).mesh); });
     bindMeshReports(mesh);

@@ -3,8 +3,11 @@
 #include "app/python/source/shared_object.hpp"
 
 #include <chrono>
+#include <exception>
 #include <memory>
+#include <stop_token>
 #include <string>
+#include <string_view>
 
 namespace forefront::python {
 
@@ -46,6 +49,30 @@ Progress progressOf(const py::object &callback) {
     Progress progress;
     progress.report = [calls](std::string_view stage, double fraction) { calls->report(stage, fraction); };
     return progress;
+}
+
+Interruption::Interruption() : raised_(std::make_shared<std::exception_ptr>()) {
+    std::stop_source source;
+    progress_.stop = source.get_token();
+    progress_.report = [raised = raised_, source, next = std::chrono::steady_clock::now()](std::string_view,
+                                                                                           double) mutable {
+        const auto now = std::chrono::steady_clock::now();
+        if (now < next || source.stop_requested()) {
+            return;
+        }
+        next = now + kInterval;
+        const py::gil_scoped_acquire gil;
+        if (PyErr_CheckSignals() != 0) {
+            *raised = std::make_exception_ptr(py::error_already_set());
+            source.request_stop();
+        }
+    };
+}
+
+void Interruption::raise() const {
+    if (*raised_) {
+        std::rethrow_exception(*raised_);
+    }
 }
 
 } // namespace forefront::python

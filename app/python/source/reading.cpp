@@ -13,6 +13,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <string>
@@ -58,6 +59,13 @@ void setImportOptions(ImportOptions &options, const py::dict &given) {
             options.sizeProperty = value.cast<std::string>();
         } else if (name == "projection") {
             options.projection = value.cast<std::string>();
+        } else if (name == "overlap") {
+            const auto word = value.cast<std::string>();
+            const std::optional<OverlapRule> rule = fromWord<OverlapRule>(word);
+            if (!rule) {
+                throw py::value_error("overlap: expected " + wordList<OverlapRule>() + ", got '" + word + "'");
+            }
+            options.overlap = *rule;
         } else if (name == "strict") {
             options.strict = value.cast<bool>();
         } else if (name == "beyond_page") {

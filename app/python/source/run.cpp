@@ -11,8 +11,11 @@
 #include "core/teaching/page/run_page.hpp"
 #include "core/teaching/trace/trace_write.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -153,6 +156,27 @@ MeshStepper &live(MeshStepper &run) {
     return run;
 }
 
+/// Moves to a position and returns the one reached. Ctrl-C stops on the way, and the run goes on from there.
+std::uint64_t moveTo(MeshStepper &run, std::uint64_t position) {
+    const Interruption interruption;
+    const std::uint64_t reached = withoutGil([&] {
+        live(run).seek(position, interruption.progress());
+        return run.position();
+    });
+    interruption.raise();
+    return reached;
+}
+
+std::uint64_t advanceBy(MeshStepper &run, std::uint64_t count) {
+    const std::uint64_t from = live(run).position();
+    return moveTo(run, from + std::min(count, std::numeric_limits<std::uint64_t>::max() - from)) - from;
+}
+
+std::uint64_t retreatBy(MeshStepper &run, std::uint64_t count) {
+    const std::uint64_t from = live(run).position();
+    return from - moveTo(run, from - std::min(count, from));
+}
+
 } // namespace
 
 void bindRun(py::module_ &module) {
@@ -160,15 +184,9 @@ void bindRun(py::module_ &module) {
         .def(py::init(&stepperOf))
         .def_property_readonly("position", [](MeshStepper &run) { return live(run).position(); })
         .def_property_readonly("at_end", [](MeshStepper &run) { return live(run).atEnd(); })
-        .def("advance",
-             [](MeshStepper &run, std::uint64_t count) { return withoutGil([&] { return live(run).advance(count); }); })
-        .def("retreat",
-             [](MeshStepper &run, std::uint64_t count) { return withoutGil([&] { return live(run).retreat(count); }); })
-        .def("seek",
-             [](MeshStepper &run, std::uint64_t position) {
-                 const Progress progress = progressOf(py::none());
-                 return withoutGil([&] { return live(run).seek(position, progress); });
-             })
+        .def("advance", &advanceBy)
+        .def("retreat", &retreatBy)
+        .def("seek", [](MeshStepper &run, std::uint64_t position) { moveTo(run, position); })
         .def("finish",
              [](MeshStepper &run, const py::object &callback) {
                  const Progress progress = progressOf(callback);

@@ -48,6 +48,28 @@ def test_faults_of_files_are_mesh_errors(plate, tmp_path):
         ff.read_mesh(b"", "docx")
 
 
+def test_the_rule_of_overlaps_is_that_of_the_program(tmp_path):
+    def square(name, x, side):
+        ring = [(x, 0), (x + side, 0), (x + side, side), (x, side), (x, 0)]
+        return {"type": "Feature", "properties": {"name": name}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+
+    features = {"type": "FeatureCollection", "features": [square("small", 0, 1), square("large", 0.5, 2)]}
+
+    def area_of(name, **options):
+        mesh = ff.mesh(ff.Domain.from_geojson(features, degrees="keep", **options), 0.2)
+        return float(mesh.quality("area")[mesh.elements_of(name)].sum())
+
+    assert area_of("small") == pytest.approx(0.5) and area_of("small", overlap="later") == pytest.approx(0.5)
+    assert area_of("small", overlap="smaller") == pytest.approx(1)
+    with pytest.raises(ValueError, match="overlap: expected later or smaller, got 'first'"):
+        area_of("small", overlap="first")
+
+
+def test_bounds_follow_curves(tmp_path):
+    domain = ff.Domain.read(b"0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n5\n20\n1\n40\n0.7\n0\nENDSEC\n0\nEOF\n", "dxf")
+    assert domain.bounds == pytest.approx((4.3, 0.3, 5.7, 1.7), abs=1e-12)
+
+
 def test_domains_are_read_with_their_sizes(tmp_path):
     text = "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n1\n1 1 0.5 7 0.01\n"
     file = tmp_path / "tank.poly"

@@ -45,6 +45,14 @@ def test_everything_public_is_documented():
                     assert inspect.getdoc(found), f"{name}.{member}"
 
 
+def test_properties_of_compiled_classes_are_documented():
+    for cls in (ff.Domain, ff.Mesh, ff.Fault):
+        properties = [name for name in dir(cls) if not name.startswith("_") and isinstance(getattr(cls, name), property)]
+        assert len(properties) > 5
+        for name in properties:
+            assert inspect.getdoc(getattr(cls, name)), f"{cls.__name__}.{name}"
+
+
 def test_stubs_name_what_the_module_has():
     from forefront import _core
 

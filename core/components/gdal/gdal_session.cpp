@@ -67,6 +67,11 @@ ReferenceSystem Session::named(const std::string &name) {
         fail("unknown coordinate reference system '" + name + "'", "expected a code such as EPSG:3067");
         return {};
     }
+    if (OSRIsProjected(system.get()) == 0 && OSRIsGeographic(system.get()) == 0 && OSRIsLocal(system.get()) == 0) {
+        fail("the coordinate reference system '" + name + "' is none of a map",
+             "expected one with longitudes and latitudes or with coordinates in a plane");
+        return {};
+    }
     OSRSetAxisMappingStrategy(system.get(), OAMS_TRADITIONAL_GIS_ORDER);
     return system;
 }

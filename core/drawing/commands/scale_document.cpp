@@ -5,6 +5,7 @@
 #include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
+#include "core/drawing/shapes/references.hpp"
 #include "core/engine/base/number_text.hpp"
 
 #include <cmath>
@@ -61,20 +62,6 @@ void scaleSpacing(SpacingSpec &spacing, const PlaneMap &map, double factor) {
         }
         spacing.background = std::make_shared<const BackgroundMesh>(std::move(mesh));
     }
-}
-
-Selection everythingIn(const Document &document) {
-    Selection all;
-    for (const auto &shape : document.shapes) {
-        all.shapes.insert(shape->id);
-    }
-    for (std::uint32_t k = 0; k < document.spacing.sources.size(); ++k) {
-        all.sources.insert(k);
-    }
-    for (std::uint32_t k = 0; k < document.regionMarkers.size(); ++k) {
-        all.markers.insert(k);
-    }
-    return all;
 }
 
 /// Returns the place on the axis of a coordinate that scaling does not move; 0 for other numbers.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -16,9 +17,21 @@ std::string relationNames(const DocumentSketch &sketch, const std::set<std::uint
 /// Returns what to do about a conflict of constraints and joints.
 std::string clashAdvice(const DocumentSketch &sketch, const std::set<std::uint32_t> &ids);
 
-/// Returns constraints and joints of a system without a solution that cannot hold together: without any of them, a
-/// solution of the others is found. In a large system some of them may be superfluous. Keeps those that were changed,
-/// where it can.
-std::set<std::uint32_t> smallestClash(const SketchSystem &system, const std::set<std::uint32_t> &changed);
+/// Returns true if no solution of some constraints and joints of a system is found, however far away: they cannot hold
+/// together, as far as numbers can tell. `nearest`: nearestValues() of the system, from which solutions are sought,
+/// too.
+bool cannotHold(const SketchSystem &system, const std::set<std::uint32_t> &ids, const std::vector<double> &nearest);
+
+/// Constraints and joints that are in each other's way.
+struct Clash {
+    std::set<std::uint32_t> ids;
+    /// True if they cannot hold together: see cannotHold(). False if they have a solution which the solver did not find
+    /// from where the drawing is, or only one with corners turned over.
+    bool certain = false;
+};
+
+/// Returns a clash in a system for which no solution was found: without any one of its constraints, the others have a
+/// solution. In a large system some of them may be superfluous. Keeps those that were changed, where it can.
+Clash smallestClash(const SketchSystem &system, const std::set<std::uint32_t> &changed);
 
 } // namespace forefront

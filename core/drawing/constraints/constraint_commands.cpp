@@ -9,6 +9,7 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/sketch/judge_constraint.hpp"
+#include "core/drawing/sketch/solve_sketch.hpp"
 #include "core/engine/base/number_text.hpp"
 
 #include <algorithm>
@@ -201,9 +202,13 @@ Result<Document> addConstraint(const Document &document, SketchConstraint constr
                      "leave it out, or remove one of these first");
     }
     if (judgement.verdict == ConstraintVerdict::Conflict) {
+        std::set<std::uint32_t> all = others;
+        all.insert(id);
+        const std::string with = others.empty() ? "" : " together with " + relationNames(sketch, others);
         return error("constraint-conflict",
-                     others.empty() ? name + " cannot hold here"
-                                    : name + " cannot hold together with " + relationNames(sketch, others),
+                     cannotHold(sketch.system, all, nearestValues(sketch.system))
+                         ? name + " cannot hold" + (others.empty() ? " here" : with)
+                         : "no solution was found near by for " + name + with,
                      clashAdvice(sketch, others));
     }
     return settle(document, next);

@@ -5,7 +5,6 @@
 #include "core/drawing/sketch/sketch_drag.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -22,7 +21,6 @@ class ConstraintDrag::State {
     Document carry(const Document &moved) {
         const std::vector<double> &start = sketch_.system.values;
         std::vector<SketchPull> pulls;
-        std::map<ShapeUnknown, double> places;
         for (const auto &[unknown, index] : sketch_.unknowns()) {
             const Shape *const old = findShape(*start_, unknown.shape), *const now = findShape(moved, unknown.shape);
             if (now == nullptr || now == old) {
@@ -39,20 +37,7 @@ class ConstraintDrag::State {
         if (solved != start) {
             align(solved);
         }
-        std::map<std::uint32_t, std::map<ShapeUnknown, double>> changes;
-        for (const auto &[unknown, index] : sketch_.unknowns()) {
-            changes[unknown.shape].emplace(unknown, solved[index]);
-        }
-        Document next = moved;
-        for (const auto &[id, values] : changes) {
-            const std::size_t at = positionOf(next, id);
-            if (at < next.shapes.size() && differs(*next.shapes[at], values)) {
-                Shape shape = *next.shapes[at];
-                setUnknowns(shape, values);
-                next.shapes[at] = std::make_shared<const Shape>(std::move(shape));
-            }
-        }
-        return next;
+        return sketch_.withValues(solved, moved);
     }
 
   private:
@@ -89,15 +74,6 @@ class ConstraintDrag::State {
         if (released_.size() > before) {
             drag_ = SketchDrag(standing());
         }
-    }
-
-    static bool differs(const Shape &shape, const std::map<ShapeUnknown, double> &values) {
-        for (const auto &[unknown, value] : values) {
-            if (valueOf(shape, unknown.role, unknown.index) != value) {
-                return true;
-            }
-        }
-        return false;
     }
 
     std::shared_ptr<const Document> start_;

@@ -5,9 +5,11 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/geometry/path_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -18,6 +20,13 @@ constexpr double kRightAngle = 0.5 * std::numbers::pi;
 
 std::uint32_t nodeAfter(const Shape &path, std::uint32_t k) {
     return static_cast<std::uint32_t>((k + std::size_t{1}) % path.nodes.size());
+}
+
+/// Returns true if a shape has some numbers already.
+bool hasValues(const Shape &shape, const std::map<ShapeUnknown, double> &values) {
+    return std::all_of(values.begin(), values.end(), [&](const auto &value) {
+        return valueOf(shape, value.first.role, value.first.index) == value.second;
+    });
 }
 
 /// Returns 1 or -1.
@@ -286,6 +295,30 @@ Document DocumentSketch::withValues(const std::vector<double> &values) const {
         place = std::make_shared<const Shape>(std::move(shape));
     }
     return next;
+}
+
+Document DocumentSketch::withValues(const std::vector<double> &values, Document of) const {
+    std::map<std::uint32_t, std::map<ShapeUnknown, double>> changes;
+    for (const auto &[unknown, index] : indices_) {
+        changes[unknown.shape].emplace(unknown, values[index]);
+    }
+    for (const auto &[id, numbers] : changes) {
+        const std::size_t at = positionOf(of, id);
+        if (at < of.shapes.size() && !hasValues(*of.shapes[at], numbers)) {
+            Shape shape = *of.shapes[at];
+            setUnknowns(shape, numbers);
+            of.shapes[at] = std::make_shared<const Shape>(std::move(shape));
+        }
+    }
+    return of;
+}
+
+std::vector<bool> DocumentSketch::isStanding() const {
+    std::vector<bool> is(system.values.size(), false);
+    for (const std::uint32_t unknown : standing) {
+        is[unknown] = true;
+    }
+    return is;
 }
 
 bool DocumentSketch::holdsNumbers() const {

@@ -44,6 +44,8 @@ class DocumentSketch {
     /// Unknowns of segments that nodes of the sketch lie on, and of what is joined with these. They should stay as they
     /// are where there is a solution without moving them.
     std::vector<std::uint32_t> standing;
+    /// Returns for each unknown whether it is in `standing`.
+    std::vector<bool> isStanding() const;
     std::uint32_t jointId(std::size_t joint) const { return document_.nextId + static_cast<std::uint32_t>(joint); }
 
     SketchPoint point(const SketchPart &part);
@@ -70,6 +72,8 @@ class DocumentSketch {
     std::vector<std::uint32_t> unknownsOf(const SketchPart &part);
     /// Returns the document with the values of a solution. Shapes whose values are unchanged are shared with it.
     Document withValues(const std::vector<double> &values) const;
+    /// Returns another document, with shapes that have the same numbers, with the values of a solution.
+    Document withValues(const std::vector<double> &values, Document of) const;
     /// Returns true if some number that formulas or locks hold belongs to the sketch.
     bool holdsNumbers() const;
 

@@ -2,6 +2,8 @@
 
 #include "core/drawing/constraints/conflict.hpp"
 #include "core/drawing/constraints/constraint_equations.hpp"
+#include "core/drawing/constraints/firm_numbers.hpp"
+#include "core/drawing/constraints/moved_parts.hpp"
 #include "core/drawing/constraints/orient.hpp"
 #include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/joints/joint_index.hpp"
@@ -44,33 +46,6 @@ std::set<std::uint32_t> changedConstraints(const Document &before, const Documen
         }
     }
     return changed;
-}
-
-/// Returns the nodes that a command has moved, and the arcs that it has bent, of shapes that have the same nodes
-/// otherwise.
-std::set<SketchPart> movedParts(const Document &before, const Document &next) {
-    std::set<SketchPart> moved;
-    for (const auto &shape : next.shapes) {
-        const Shape *const old = findShape(before, shape->id);
-        if (old == nullptr || old == shape.get() || !canJoin(*shape) || old->form.index() != shape->form.index()) {
-            continue;
-        }
-        const std::vector<Vec2> from = handlesOf(*old), to = handlesOf(*shape);
-        for (std::uint32_t k = 0; k < to.size() && from.size() == to.size(); ++k) {
-            if (from[k] != to[k]) {
-                moved.insert({shape->id, SketchPartKind::Node, k});
-            }
-        }
-        for (std::uint32_t k = 0; isPath(*shape) && k < shape->path().curves.size(); ++k) {
-            const SketchPart arc{shape->id, SketchPartKind::Segment, k};
-            const bool known = from.size() == to.size() && k < old->path().curves.size();
-            if (known && old->path().curves[k] != shape->path().curves[k] &&
-                formOfPart(next, arc) == PartForm::Circle && formOfPart(before, arc) == PartForm::Circle) {
-                moved.insert(arc);
-            }
-        }
-    }
-    return moved;
 }
 
 /// Solves what a command changed, one independent part of the sketch at a time.
@@ -148,6 +123,11 @@ class Settler {
     /// Returns true if a part needs no solution. Points that coincide have no size to compare with.
     bool rests(const std::vector<std::uint32_t> &part) const {
         constexpr double kRounding = 1e-14;
+        if (std::any_of(part.begin(), part.end(), [&](std::uint32_t k) {
+                return endBeyond(sketch_.system.equations[k], sketch_.system.values).has_value();
+            })) {
+            return false;
+        }
         return std::all_of(part.begin(), part.end(),
                            [&](std::uint32_t k) {
                                return holdsWithin(sketch_.system, sketch_.system.equations[k], kRounding, scale_);
@@ -171,15 +151,20 @@ class Settler {
         return system;
     }
 
-    /// Solves a part. What stands by it moves only if it must.
+    /// Solves a part. What the command moved stays where it is and keeps its other numbers, if its neighbours can
+    /// follow; what stands by it moves only if it must.
     std::optional<std::vector<double>> solve(const SketchSystem &system) const {
+        std::optional<SketchSolution> solution = solveAround(system);
+        if (solution) {
+            return std::move(solution->values);
+        }
         SketchSystem firm = system;
         bool any = false;
         for (const std::uint32_t unknown : sketch_.standing) {
             any = any || !firm.held[unknown];
             firm.held[unknown] = firm.held[unknown] || !moved_[unknown];
         }
-        std::optional<SketchSolution> solution = any ? solveWithin(firm, SolveEffort::Plain) : std::nullopt;
+        solution = any ? solveWithin(firm, SolveEffort::Plain) : std::nullopt;
         if (!solution || solution->flips > 0) {
             std::optional<SketchSolution> free = solveWithin(system, SolveEffort::Full);
             if (free && (!solution || free->flips < solution->flips)) {
@@ -189,9 +174,66 @@ class Settler {
         return solution ? std::optional(std::move(solution->values)) : std::nullopt;
     }
 
+    /// Solves a part whose numbers were moved, not its constraints, so that only neighbours follow. Where joints alone
+    /// tie several moved shapes, those first in the drawing keep their numbers.
+    std::optional<SketchSolution> solveAround(const SketchSystem &system) const {
+        if (hasChangedConstraint(system)) {
+            return std::nullopt;
+        }
+        const SystemSolver solver = [this](const SketchSystem &some) {
+            return solveLimited(some, SolveEffort::Plain, [](const SketchSystem &limited, SolveEffort effort) {
+                return solveSketch(limited, effort);
+            });
+        };
+        FirmNumbers numbers{std::vector<bool>(system.values.size(), false), sketch_.isStanding()};
+        const std::vector<std::uint32_t> firm = numbersOfMoved(system);
+        for (const std::uint32_t unknown : firm) {
+            numbers.firm[unknown] = true;
+        }
+        std::optional<SketchSolution> solution = solveAroundFirm(system, numbers, solver);
+        const bool onlyJoints =
+            std::all_of(system.equations.begin(), system.equations.end(), [&](const auto &equation) {
+                return equation.constraint == 0 || system.isJoint(equation.constraint);
+            });
+        if (!solution && onlyJoints) {
+            numbers.firm = keepInOrder(system, firm, solver);
+            solution = solveAroundFirm(system, numbers, solver);
+        }
+        return solution;
+    }
+
+    /// Returns the unknowns in a system of shapes that the command moved, by shape.
+    std::vector<std::uint32_t> numbersOfMoved(const SketchSystem &system) const {
+        std::vector<bool> used(system.values.size(), false);
+        for (const SketchEquation &equation : system.equations) {
+            for (const std::uint32_t unknown : equation.used()) {
+                used[unknown] = true;
+            }
+        }
+        std::set<std::uint32_t> shapes;
+        for (const auto &[unknown, index] : sketch_.unknowns()) {
+            if (moved_[index]) {
+                shapes.insert(unknown.shape);
+            }
+        }
+        std::vector<std::uint32_t> numbers;
+        for (const auto &[unknown, index] : sketch_.unknowns()) {
+            if (used[index] && shapes.contains(unknown.shape)) {
+                numbers.push_back(index);
+            }
+        }
+        return numbers;
+    }
+
     /// Solves a system, with points on Bézier curves and ends of lines on segments between the ends of these.
-    std::optional<SketchSolution> solveWithin(SketchSystem system, SolveEffort effort) const {
-        std::optional<SketchSolution> solution = solveFreely(system, effort);
+    std::optional<SketchSolution> solveWithin(const SketchSystem &system, SolveEffort effort) const {
+        return solveLimited(system, effort,
+                            [this](const SketchSystem &some, SolveEffort tried) { return solveFreely(some, tried); });
+    }
+
+    template <class Solver>
+    std::optional<SketchSolution> solveLimited(SketchSystem system, SolveEffort effort, const Solver &solver) const {
+        std::optional<SketchSolution> solution = solver(system, effort);
         if (!solution || !limit(system, solution->values)) {
             return solution;
         }
@@ -296,18 +338,21 @@ class Settler {
         return drag.pull(pulls) ? std::optional(drag.values()) : std::nullopt;
     }
 
-    /// Names constraints and joints of a part that cannot hold together, as few as possible.
+    /// Names constraints and joints of a part that cannot hold together, as few as possible; or those that no solution
+    /// was found for.
     Diagnostics conflict(const std::vector<std::uint32_t> &part) const {
-        const std::set<std::uint32_t> clash = smallestClash(only(part), changedConstraints_);
-        const std::string names = relationNames(sketch_, clash);
+        const Clash clash = smallestClash(only(part), changedConstraints_);
+        const std::string names = namedConstraints(relationNames(sketch_, clash.ids), clash.ids);
         const std::string held = sketch_.holdsNumbers() ? " where formulas and locked shapes hold their parts" : "";
-        if (clash.size() > 1) {
-            return error("constraint-conflict", namedConstraints(names, clash) + " cannot hold together" + held,
-                         clashAdvice(sketch_, clash));
+        const bool several = clash.ids.size() > 1;
+        const bool onlyOne = clash.ids.empty() || (!several && *clash.ids.begin() < sketch_.jointId(0));
+        const std::string advice = onlyOne ? "change it or remove it" : clashAdvice(sketch_, clash.ids);
+        if (!clash.certain) {
+            return error("constraint-conflict",
+                         "no solution was found near by for " + names + (several ? " together" : "") + held,
+                         "change a value in smaller steps; or " + advice);
         }
-        return error("constraint-conflict", namedConstraints(names, clash) + " cannot hold" + held,
-                     clash.empty() || *clash.begin() < sketch_.jointId(0) ? "change it or remove it"
-                                                                          : clashAdvice(sketch_, clash));
+        return error("constraint-conflict", names + " cannot hold" + (several ? " together" : "") + held, advice);
     }
 
     /// Puts "constraint" or "constraints" before names of which the first is that of a constraint.
@@ -405,7 +450,8 @@ Result<Document> settleTogether(const Document &before, const Document &next) {
     if (before.constraints == next.constraints && before.shapes == next.shapes) {
         return next;
     }
-    JointSource joints{.places = &before, .moved = movedParts(before, next)};
+    const std::vector<SketchPart> moved = movedParts(before, next);
+    const JointSource joints{.places = &before, .moved = {moved.begin(), moved.end()}};
     if (next.constraints.empty() && joints.moved.empty()) {
         return next;
     }

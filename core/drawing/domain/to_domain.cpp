@@ -1,5 +1,6 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/domain/domain_sources.hpp"
+#include "core/drawing/domain/neighbour_sides.hpp"
 #include "core/drawing/domain/refine_chords.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
@@ -7,8 +8,13 @@
 #include "core/engine/domain/node_merger.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <map>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -34,6 +40,7 @@ class DocumentDomain {
         domain_.boundaryNames = document_.boundaryNames;
         domain_.regionNames = document_.regionNames;
         domain_.curveTolerance = document_.curveTolerance;
+        joinNeighbours();
         if (flattened_) {
             refineMeetingChords(domain_, sources_);
         }
@@ -141,6 +148,10 @@ class DocumentDomain {
             ids.push_back(addNode(chords.nodes[k], {number, k < chords.size() ? chords.segments[k] : end}));
         }
         const SegmentRole role = shape.use == ShapeUse::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint;
+        const auto first = static_cast<std::uint32_t>(domain_.segments.size());
+        if (role == SegmentRole::Boundary && isClosed(shape)) {
+            loops_.push_back({first, first + static_cast<std::uint32_t>(chords.size())});
+        }
         for (std::size_t k = 0; k < chords.size(); ++k) {
             const std::uint32_t segment = chords.segments[k];
             const bool given = segment < shape.cuts.size() && !shape.cuts[segment].empty();
@@ -160,6 +171,43 @@ class DocumentDomain {
         }
     }
 
+    /// Makes a border that two closed shapes have drawn, each for itself, one line between them.
+    void joinNeighbours() {
+        std::vector<bool> dropped;
+        for (const NeighbourSide &side : neighbourSides(domain_, loops_)) {
+            if (haveSameSizes(side.kept, side.dropped)) {
+                dropped.resize(domain_.segments.size(), false);
+                dropped[side.dropped] = true;
+                domain_.segments[side.kept].role = SegmentRole::Constraint;
+            }
+        }
+        if (!dropped.empty()) {
+            const auto isDropped = [&](const auto &list) {
+                return [&](const auto &item) { return dropped[static_cast<std::size_t>(&item - list.data())]; };
+            };
+            // The second list has its items in the same order.
+            if (sources_ != nullptr) {
+                std::erase_if(sources_->segments, isDropped(sources_->segments));
+            }
+            std::erase_if(domain_.segments, isDropped(domain_.segments));
+        }
+    }
+
+    /// Returns true if two segments have the same sizes and numbers of elements of their own. Else neither can do for
+    /// both.
+    bool haveSameSizes(std::uint32_t first, std::uint32_t second) const {
+        if (sources_ == nullptr) {
+            return true;
+        }
+        const ShapeNode a = sources_->segments[first], b = sources_->segments[second];
+        const auto valueAt = [](const auto &map, ShapeNode at, auto none) {
+            const auto found = map.find(at.shape);
+            return found != map.end() ? found->second[at.node] : none;
+        };
+        return valueAt(counts_, a, std::uint32_t{0}) == valueAt(counts_, b, std::uint32_t{0}) &&
+               valueAt(sizes_, a, PartSize{0.0, 0.0}) == valueAt(sizes_, b, PartSize{0.0, 0.0});
+    }
+
     const Document &document_;
     std::map<std::int32_t, PartSegments> counted_;
     DomainSources own_;
@@ -169,6 +217,7 @@ class DocumentDomain {
     std::map<std::uint32_t, std::vector<PartSize>> sizes_;       ///< the same
     Domain domain_;
     NodeMerger merger_;
+    std::vector<DrawnLoop> loops_;
     bool flattened_ = false; ///< some chords were chosen here, regardless of what is near
 };
 

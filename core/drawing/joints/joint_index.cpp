@@ -17,6 +17,16 @@ bool canJoin(const Shape &shape) {
     return isPath(shape) || shape.is<RectangleForm>() || shape.is<PointForm>();
 }
 
+bool hasReorderedHandles(const Shape &before, const Shape &after) {
+    std::vector<Vec2> from = handlesOf(before), to = handlesOf(after);
+    if (from == to) {
+        return false;
+    }
+    std::sort(from.begin(), from.end(), comesBefore);
+    std::sort(to.begin(), to.end(), comesBefore);
+    return from == to;
+}
+
 std::optional<double> alongSegment(Vec2 a, Vec2 b, Vec2 p, double tolerance) {
     const double squared = lengthSquared(b - a);
     const double t = squared > 0.0 ? std::clamp(dot(p - a, b - a) / squared, 0.0, 1.0) : 0.0;

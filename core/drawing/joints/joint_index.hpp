@@ -30,6 +30,9 @@ double jointTolerance(const Document &document);
 /// Returns true if the handles of a shape can be joined with others: those of paths, rectangles and points.
 bool canJoin(const Shape &shape);
 
+/// Returns true if two shapes have the same handles in another order, as before and after reversing a path.
+bool hasReorderedHandles(const Shape &before, const Shape &after);
+
 /// Returns the parameter along a segment of the point nearest to p, in [0, 1]; none if it is farther than `tolerance`.
 std::optional<double> alongSegment(Vec2 a, Vec2 b, Vec2 p, double tolerance);
 

@@ -170,6 +170,15 @@ Document setMapped(const Document &document, std::int32_t region, bool mapped) {
     return next;
 }
 
+Document setMappedCorners(const Document &document, std::int32_t region, std::vector<Vec2> corners) {
+    Document next = document;
+    const auto found = std::ranges::find(next.mapped, region, &MappedSpec::region);
+    if (found != next.mapped.end()) {
+        found->corners = std::move(corners);
+    }
+    return next;
+}
+
 Document setElements(const Document &document, std::int32_t region, std::optional<Elements> elements) {
     Document next = document;
     std::erase_if(next.regionElements, [region](const RegionElements &own) { return own.region == region; });
@@ -206,8 +215,12 @@ bool isCrack(const Document &document, std::int32_t tag) {
 }
 
 bool isMapped(const Document &document, std::int32_t region) {
-    return std::any_of(document.mapped.begin(), document.mapped.end(),
-                       [region](const MappedSpec &spec) { return spec.region == region; });
+    return mappedOf(document, region) != nullptr;
+}
+
+const MappedSpec *mappedOf(const Document &document, std::int32_t region) {
+    const auto found = std::ranges::find(document.mapped, region, &MappedSpec::region);
+    return found == document.mapped.end() ? nullptr : &*found;
 }
 
 } // namespace forefront

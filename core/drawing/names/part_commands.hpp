@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace forefront {
 
@@ -24,6 +25,9 @@ Result<Document> setCrack(const Document &document, const BoundaryPart &part, bo
 Result<Document> setPeriodic(const Document &document, const BoundaryPart &part, std::optional<std::int32_t> partner);
 /// Fills the faces of a region by rows between opposite sides, or no longer. Corners that were given are kept.
 Document setMapped(const Document &document, std::int32_t region, bool mapped);
+/// Sets the places of the corners of a mapped region: 3 or 4 nodes of the outline of each of its faces, see MappedSpec;
+/// empty: the sharpest ones. Does nothing if the region is not mapped.
+Document setMappedCorners(const Document &document, std::int32_t region, std::vector<Vec2> corners);
 /// Gives a region elements of its own, or, with nullopt, those of the rest.
 Document setElements(const Document &document, std::int32_t region, std::optional<Elements> elements);
 
@@ -37,5 +41,7 @@ const StripSpec *stripOf(const Document &document, std::int32_t tag);
 std::optional<std::int32_t> periodicPartner(const Document &document, std::int32_t tag);
 bool isCrack(const Document &document, std::int32_t tag);
 bool isMapped(const Document &document, std::int32_t region);
+/// Returns how a region is mapped; null: it is not.
+const MappedSpec *mappedOf(const Document &document, std::int32_t region);
 
 } // namespace forefront

@@ -95,18 +95,26 @@ void Selection::drop(const std::set<std::uint32_t> &gone) {
     std::erase_if(segments, [&](SegmentRef segment) { return gone.contains(segment.shape); });
 }
 
-Selection selectAll(const Document &document) {
+Selection everythingIn(const Document &document) {
     Selection all;
     for (const auto &shape : document.shapes) {
-        if (!shape->hidden && !shape->locked) {
-            all.shapes.insert(shape->id);
-        }
+        all.shapes.insert(shape->id);
     }
     for (std::uint32_t k = 0; k < document.spacing.sources.size(); ++k) {
         all.sources.insert(k);
     }
     for (std::uint32_t k = 0; k < document.regionMarkers.size(); ++k) {
         all.markers.insert(k);
+    }
+    return all;
+}
+
+Selection selectAll(const Document &document) {
+    Selection all = everythingIn(document);
+    for (const auto &shape : document.shapes) {
+        if (shape->hidden || shape->locked) {
+            all.shapes.erase(shape->id);
+        }
     }
     return all;
 }

@@ -60,6 +60,8 @@ struct Selection {
 std::size_t positionOf(const Document &document, std::uint32_t id);
 /// Returns the shape with an id, or null; see positionOf().
 const Shape *findShape(const Document &document, std::uint32_t id);
+/// Selects all shapes, also those that are hidden or locked, all sources and all region markers.
+Selection everythingIn(const Document &document);
 /// Selects all visible and unlocked shapes, all sources and all region markers.
 Selection selectAll(const Document &document);
 /// Selects the visible and unlocked shapes whose segments all have a boundary tag, and the segments of other such

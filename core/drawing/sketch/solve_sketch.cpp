@@ -4,7 +4,9 @@
 #include "core/drawing/sketch/scatter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 
 namespace forefront {
@@ -250,6 +252,29 @@ bool solvable(const SketchSystem &system, std::span<const std::uint32_t> equatio
         spread = k == 0 ? 0.02 : 2.0 * spread; // in sizes of the part
     }
     return false;
+}
+
+bool solvableFromAfar(const SketchSystem &system, std::span<const std::uint32_t> equations) {
+    if (holds(system, equations) || solvable(system, equations)) {
+        return true;
+    }
+    struct Start {
+        double scale;
+        double spread; ///< in sizes of the part
+    };
+    // A dimension that has grown much leads to places far away, which a figure of that size comes near to. Scattered
+    // starts find solutions with other turns.
+    static constexpr std::array kStarts{Start{2.0, 0.0}, Start{4.0, 0.0}, Start{0.5, 0.0},  Start{8.0, 0.0},
+                                        Start{0.2, 0.0}, Start{1.0, 1.0}, Start{4.0, 0.4},  Start{1.0, 3.0},
+                                        Start{2.0, 4.0}, Start{8.0, 1.0}, Start{16.0, 0.0}, Start{4.0, 8.0}};
+    const ScaledPart start(system, equations);
+    std::uint64_t seed = 1;
+    return std::any_of(kStarts.begin(), kStarts.end(), [&](const Start &from) {
+        ScaledPart part = start;
+        part.x *= from.scale;
+        scatter(part.x, seed++, from.spread);
+        return satisfy(part);
+    });
 }
 
 } // namespace forefront

@@ -30,6 +30,11 @@ std::optional<SketchSolution> solveSketch(const SketchSystem &system, SolveEffor
 /// Returns true if some equations have a solution near the values of a sketch.
 bool solvable(const SketchSystem &system, std::span<const std::uint32_t> equations);
 
+/// Returns true if some equations have a solution, sought near the values of a sketch first, then from many starts that
+/// are larger, smaller or scattered. If none of these leads to one, there is none, as far as numbers can tell. Takes
+/// long.
+bool solvableFromAfar(const SketchSystem &system, std::span<const std::uint32_t> equations);
+
 /// Returns values near those of a sketch without a solution that violate its equations as little as possible. From
 /// there it is a short way to solutions without one of the equations that are in each other's way.
 std::vector<double> nearestValues(const SketchSystem &system);

@@ -105,7 +105,11 @@ void DrawingBuilder::addCurves(std::span<const Curve> curves, std::span<CurveStr
 
 void DrawingBuilder::addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                              std::span<const CurveStretch> stretches) {
+    rings_.push_back(static_cast<std::uint32_t>(input_.pieces.size()));
     input_.addRing(contour, nodes, tag, stretches);
+    if (input_.pieces.size() == rings_.back()) { // all nodes are equal
+        rings_.pop_back();
+    }
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         const std::size_t next = (k + 1) % nodes.size();
         if (nodes[k] != nodes[next]) {
@@ -170,6 +174,9 @@ Result<Arrangement> DrawingBuilder::arrangeParts() {
     const std::optional<double> &chosen = source_.options.weldTolerance;
     const double standard = kDefaultTolerance * boundsOf(input_).diagonal();
     input_.tolerance = chosen.value_or(std::max(standard, std::min(preferred_, kMaxPreferred * standard)));
+    if (linesBound_ && source_.notes != nullptr) {
+        warnOfOverlaps();
+    }
     const bool outlines = hasOutlines();
     const bool lines = std::any_of(input_.pieces.begin(), input_.pieces.end(),
                                    [](const ArrangementPiece &piece) { return piece.role == PieceRole::Constraint; });
@@ -220,6 +227,7 @@ Result<Arrangement> DrawingBuilder::arrangeBounded(const Arrangement &lines, std
                                 : "no closed outline found: using the lines that form closed loops as the outline (") +
                      std::to_string(count) + " segments)",
                  places_.front());
+    warnOfCrossings(lines);
     ArrangementInput outlines = withOutline(lines);
     std::vector<std::size_t> places;
     for (const PieceStretch &stretch : lines.stretches) {
@@ -257,7 +265,11 @@ ArrangementInput DrawingBuilder::withOutline(const Arrangement &lines) const {
 Diagnostics DrawingBuilder::report(const Arrangement &arrangement) const {
     Diagnostics faults;
     const Diagnostics notes = notesOf(arrangement.changes);
+    const double rounding = resolutionOf(boundsOf(input_)); // ends of arcs meet those of lines only up to that
     for (std::size_t k = 0; k < notes.size(); ++k) {
+        if (arrangement.changes[k].kind == ChangeKind::WeldedNodes && arrangement.changes[k].displacement <= rounding) {
+            continue;
+        }
         const std::size_t at = offsetOf(arrangement.changes[k].piece);
         if (source_.options.strict && altersInput(arrangement.changes[k].kind)) {
             Diagnostic fault = faultAt(source_, at, notes[k].code, "the input would be changed: " + notes[k].message,

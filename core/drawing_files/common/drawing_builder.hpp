@@ -3,6 +3,7 @@
 #include "core/drawing/arrangement/arrangement.hpp"
 #include "core/drawing/arrangement/cover/united.hpp"
 #include "core/drawing_files/common/line_outline.hpp"
+#include "core/files/common/tag_allocator.hpp"
 #include "core/files/source/source.hpp"
 
 #include <cstdint>
@@ -59,9 +60,10 @@ class DrawingBuilder {
     void preferTolerance(double tolerance) { preferred_ = tolerance; }
     /// Lets lines that form closed loops bound the domain beside its outlines, too, and keeps a side that two outlines
     /// share as a line; for drawings in which nothing is filled, so that outlines differ from lines only in how they
-    /// were drawn.
-    void letLinesBound() {
+    /// were drawn. `names`: how warnings name tags, such as by layers; not copied.
+    void letLinesBound(const TagAllocator &names) {
         linesBound_ = true;
+        names_ = &names;
         input_.keepFolds = true;
     }
 
@@ -82,6 +84,9 @@ class DrawingBuilder {
     ArrangementInput withOutline(const Arrangement &lines) const;
     Diagnostics report(const Arrangement &arrangement) const;
     void noteLoopsLeft(const Arrangement &lines, const LineLoops &loops) const;
+    void warnOfOverlaps() const;
+    void warnOfCrossings(const Arrangement &lines) const;
+    std::string pairText(std::uint32_t first, std::uint32_t second) const;
     void noteLineGaps(const Arrangement &lines) const;
     bool joinsAlone(const Arrangement &lines, double tolerance, double near) const;
     void noteSmallDomain(const Domain &domain, const Box2 &lines) const;
@@ -94,8 +99,10 @@ class DrawingBuilder {
 
     const SourceText &source_;
     ArrangementInput input_;
+    std::vector<std::uint32_t> rings_; ///< the first piece of each ring
     bool linesBound_ = false;
-    double preferred_ = 0.0; ///< tolerance
+    const TagAllocator *names_ = nullptr; ///< set with linesBound_
+    double preferred_ = 0.0;              ///< tolerance
     std::vector<std::size_t> offsets_;
     std::vector<std::size_t> places_; ///< byte offsets in the text of the ends of the pieces, two per piece
 };

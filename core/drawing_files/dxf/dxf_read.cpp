@@ -48,7 +48,7 @@ class DxfReader {
                 box_.add(boxOf(path));
             }
         }
-        builder_.letLinesBound();
+        builder_.letLinesBound(tags_);
         shape_ = builder_.addShape(builder_.addFeature(1));
         for (const DxfPath &path : drawn_.paths) {
             if (chosen_[path.layer]) {

@@ -329,7 +329,7 @@ class SvgBuilder {
     /// Tells the builder whether shapes are regions and whether lines may bound the domain.
     void chooseRules() {
         if (!roles_->anyPainted()) {
-            builder_.letLinesBound();
+            builder_.letLinesBound(tags_);
             if (source_.options.shapeRegions && !paths_.empty()) {
                 source_.note("svg-regions", "nothing is filled: there are no shapes to make regions of",
                              paths_.front().offset);

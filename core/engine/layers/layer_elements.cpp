@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <utility>
 
 namespace forefront {
 
@@ -20,9 +20,8 @@ double cotangentOfLeast(Vec2 a, Vec2 b, Vec2 c) {
 
 class LayerElements {
   public:
-    LayerElements(const CutBoundary &boundary, std::span<const RayChain> chains, std::span<const LayerHeights> heights,
-                  std::span<const LayerSpec> specs)
-        : boundary_(boundary), chains_(chains), heights_(heights), specs_(specs) {}
+    LayerElements(const CutBoundary &boundary, const FinishedRays &rays, std::span<const LayerSpec> specs)
+        : boundary_(boundary), rays_(rays), chains_(rays.chains), heights_(rays.heights), specs_(specs) {}
 
     BoundaryLayers make() {
         number();
@@ -36,7 +35,10 @@ class LayerElements {
         }
         leaveFree(*outer);
         result_.outer = std::move(outer);
-        fillReport();
+        LayerReport report = reportOf(rays_, boundary_.domain);
+        report.quadrilaterals = result_.report.quadrilaterals;
+        report.triangles = result_.report.triangles;
+        result_.report = std::move(report);
         return std::move(result_);
     }
 
@@ -226,31 +228,8 @@ class LayerElements {
         return cell.nodes[3] == kNoIndex ? half : half + 0.5 * cross(c - a, nodes_[cell.nodes[3]] - a);
     }
 
-    void fillReport() {
-        LayerReport &report = result_.report;
-        report.fewest = std::numeric_limits<std::uint32_t>::max();
-        for (const RayChain &chain : chains_) {
-            std::uint32_t fans = 0;
-            for (std::size_t i = 0; i < chain.rays.size(); ++i) {
-                const LayerRay &ray = chain.rays[i];
-                ++report.rays;
-                fans = ray.fan == kNoIndex ? fans : std::max(fans, ray.fan + 1);
-                report.fewest = std::min(report.fewest, ray.count);
-                report.most = std::max(report.most, ray.count);
-                report.lines.push_back({ray.base, placeOn(ray, ray.count, heights_), ray.count});
-                if (ray.count < ray.asked) {
-                    const WallEdge &edge = chain.columns[std::min(i, chain.columns.size() - 1)];
-                    report.shortened.push_back({ray.base, placeOn(ray, ray.count, heights_),
-                                                boundary_.domain.segments[edge.segment].tag, ray.asked, ray.count,
-                                                ray.stop, ray.stoppedBy});
-                }
-            }
-            report.fans += fans;
-        }
-        report.fewest = report.rays > 0 ? report.fewest : 0;
-    }
-
     const CutBoundary &boundary_;
+    const FinishedRays &rays_;
     std::span<const RayChain> chains_;
     std::span<const LayerHeights> heights_;
     std::span<const LayerSpec> specs_;
@@ -263,9 +242,8 @@ class LayerElements {
 
 } // namespace
 
-BoundaryLayers layerElements(const CutBoundary &boundary, std::span<const RayChain> chains,
-                             std::span<const LayerHeights> heights, std::span<const LayerSpec> specs) {
-    return LayerElements(boundary, chains, heights, specs).make();
+BoundaryLayers layerElements(const CutBoundary &boundary, const FinishedRays &rays, std::span<const LayerSpec> specs) {
+    return LayerElements(boundary, rays, specs).make();
 }
 
 } // namespace forefront

@@ -82,6 +82,31 @@ class MappedSearch {
         return divided(outline, corners);
     }
 
+    /// Returns the outline of one face; none if it has holes, or lines or points inside.
+    std::optional<MappedOutline> outlineOf(std::uint32_t face) const {
+        FaceOutline outline;
+        if (!findOutline(face, outline).empty()) {
+            return std::nullopt;
+        }
+        MappedOutline result;
+        for (std::uint32_t k = 0; k < outline.nodes.size(); ++k) {
+            result.nodes.push_back(at(outline, k));
+            if (!insideCurves_[outline.nodes[k]]) {
+                result.able.push_back(k);
+                result.angles.push_back(angleAt(outline, k));
+            }
+        }
+        std::vector<std::size_t> corners;
+        std::set<std::size_t> used;
+        const Status faults = spec_.corners.empty() ? sharpest(outline, corners) : given(outline, corners, used);
+        const bool isInside =
+            std::ranges::any_of(corners, [&](std::size_t corner) { return insideCurves_[outline.nodes[corner]]; });
+        if (faults.empty() && !isInside) {
+            result.corners.assign(corners.begin(), corners.end());
+        }
+        return result;
+    }
+
   private:
     Diagnostics fault(const char *code, std::string what, const char *advice, std::optional<Vec2> where) const {
         return mappedFault(code, name_, std::move(what), advice, where);
@@ -277,6 +302,21 @@ Result<std::vector<TransfiniteFace>> findMappedFaces(std::span<const MappedSpec>
         }
     }
     return found;
+}
+
+std::vector<MappedOutline> mappedOutlines(const MappedSpec &spec, const Domain &domain, const DomainFaces &faces) {
+    const std::vector<bool> insideCurves = nodesInsideCurves(domain);
+    const PartsOfFaces parts(domain, faces);
+    const MappedSearch search(domain, faces, parts, insideCurves, spec);
+    std::vector<MappedOutline> outlines;
+    for (std::uint32_t face = 0; face < faces.faces.count; ++face) {
+        if (faces.labels.inside[face] != 0 && faces.labels.tag[face] == spec.region) {
+            if (std::optional<MappedOutline> outline = search.outlineOf(face)) {
+                outlines.push_back(*std::move(outline));
+            }
+        }
+    }
+    return outlines;
 }
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
+#include "core/engine/base/vec2.hpp"
 #include "core/engine/domain/domain_graph.hpp"
 #include "core/engine/domain/mapped_spec.hpp"
 
@@ -30,5 +31,17 @@ struct TransfiniteFace {
 /// not 3 or 4, a given one is not a node of a face, or it lies inside a curve).
 Result<std::vector<TransfiniteFace>> findMappedFaces(std::span<const MappedSpec> specs, const Domain &domain,
                                                      const DomainFaces &faces);
+
+/// The outline of a face of a region that is to be filled by rows, with the nodes that can be its corners.
+struct MappedOutline {
+    std::vector<Vec2> nodes;            ///< counter-clockwise
+    std::vector<std::uint32_t> able;    ///< nodes that can be corners, since they do not lie inside a curve, ascending
+    std::vector<double> angles;         ///< interior angles at these, degrees
+    std::vector<std::uint32_t> corners; ///< as findMappedFaces() has them; empty: it refuses the face
+};
+
+/// Returns the outlines of the faces of a region of a valid domain, mapped or not; faces with holes, or with lines or
+/// points inside, are left out. `faces`: of the domain.
+std::vector<MappedOutline> mappedOutlines(const MappedSpec &spec, const Domain &domain, const DomainFaces &faces);
 
 } // namespace forefront

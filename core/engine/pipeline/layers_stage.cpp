@@ -13,6 +13,17 @@ namespace {
 
 constexpr double kGrowthFromTops = 0.2; ///< of the size, unless a smaller gradation is given
 
+double maxElementsOf(const MeshingState &state) {
+    return static_cast<double>(std::isinf(state.budget) ? limitOf(state.job.options) : kMaxElements);
+}
+
+LayerRequest requestOf(const MeshingState &state) {
+    const MeshingJob &job = state.job;
+    const double gradation = std::min(job.spacing.gradation.value_or(kGrowthFromTops), kGrowthFromTops);
+    return {job.domain,           job.layers,     job.spacing.placed.counts(), job.options.keepBoundary, gradation,
+            maxElementsOf(state), &state.periodic};
+}
+
 } // namespace
 
 Status layersStage(MeshingState &state, const Progress &progress) {
@@ -21,11 +32,8 @@ Status layersStage(MeshingState &state, const Progress &progress) {
         return {};
     }
     PreparedJob &prepared = state.prepared;
-    const double gradation = std::min(job.spacing.gradation.value_or(kGrowthFromTops), kGrowthFromTops);
-    const auto limit = static_cast<double>(std::isinf(state.budget) ? limitOf(job.options) : kMaxElements);
-    Result<BuiltLayers> built = buildLayers({job.domain, job.layers, job.spacing.placed.counts(),
-                                             job.options.keepBoundary, gradation, limit, &state.periodic},
-                                            prepared.boundary, prepared.spacing, progress);
+    const double limit = maxElementsOf(state);
+    Result<BuiltLayers> built = buildLayers(requestOf(state), prepared.boundary, prepared.spacing, progress);
     if (!built) {
         return built.faults();
     }
@@ -39,6 +47,10 @@ Status layersStage(MeshingState &state, const Progress &progress) {
                                prepared.estimatedElements, limit, prepared);
     }
     return {};
+}
+
+Result<LayerRows> rowsOfLayers(const MeshingState &state, const Progress &progress) {
+    return layerRows(requestOf(state), *state.prepared.boundary, progress);
 }
 
 Status joinStage(MeshingState &state, const Progress &) {

@@ -12,7 +12,7 @@ namespace FOREFRONT_API forefront {
 /// Triangles per quadrilateral of the same spacing: the median over the samples.
 inline constexpr double kTrianglesPerQuad = 2.07;
 
-/// What a run will need, estimated without meshing.
+/// What a run will need.
 struct RunEstimate {
     double elements = 0.0;
     double nodes = 0.0;   ///< with those in the middles of edges
@@ -23,10 +23,11 @@ struct RunEstimate {
     std::uint64_t boundaryEdges = 0;
 };
 
-/// Estimates a run: prepares it, which integrates 4/(√3·ρ²) over the domain, and meshes a square of about 10,000
-/// elements with the same options for the time. The number of triangles is within 15 % in all samples, half of them
-/// within 2.5 %. The number of quadrilaterals is taken as the samples' median share of that; where sizes change fast
-/// it differs by up to a half. Elements added for a least angle are not counted. Errors: those of prepare() and
+/// Estimates a run: prepares it, which integrates 4/(√3·ρ²) over the domain. A run of at most 10,000 elements is then
+/// made, so that its elements and nodes are exact; for a larger one a square of about 10,000 elements is meshed with
+/// the same options for the time. There the number of triangles is within 15 % in all samples, half of them within 2.5
+/// %, and the number of quadrilaterals is taken as the samples' median share of that; where sizes change fast it
+/// differs by up to a half, and elements added for a least angle are not counted. Errors: those of prepare() and
 /// meshDomain().
 Result<RunEstimate> estimateRun(const MeshingJob &job, const Progress &progress = {});
 

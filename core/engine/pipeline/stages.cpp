@@ -21,6 +21,10 @@ std::span<const Stage> stagesOfPlan() {
     return stagesBeforeFront().first(stagesBeforeFront().size() - 1); // regionElementsStage is the last
 }
 
+std::span<const Stage> stagesBeforeLayers() {
+    return stagesOfPlan().first(stagesOfPlan().size() - 1); // layersStage is the last
+}
+
 namespace {
 
 bool makesTriangles(const MeshingOptions &options) {

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
+#include "core/engine/layers/layer_rows.hpp"
 #include "core/engine/pipeline/meshing_state.hpp"
 
 #include <cstdint>
@@ -35,6 +36,8 @@ Status mappedStage(MeshingState &state, const Progress &progress);
 /// Builds the boundary layers that the job asks for. Sets `prepared.layers`; replaces `prepared.boundary` and
 /// `prepared.spacing`.
 Status layersStage(MeshingState &state, const Progress &progress);
+/// Returns the rows that layersStage() would make, before it. Errors: those of layerRows().
+Result<LayerRows> rowsOfLayers(const MeshingState &state, const Progress &progress);
 /// Meshes the regions whose elements have other shapes than those of the job's options. Sets `prepared.layers`; may
 /// replace `prepared.boundary`. Errors: those of the front.
 Status regionElementsStage(MeshingState &state, const Progress &progress);
@@ -72,6 +75,8 @@ void addReport(QuadReport &whole, const QuadReport &part);
 std::span<const Stage> stagesBeforeFront();
 /// The first of the stages before the front: they plan the mesh, and mesh no region whose elements have other shapes.
 std::span<const Stage> stagesOfPlan();
+/// The first of the stages of a plan: all that come before boundary layers.
+std::span<const Stage> stagesBeforeLayers();
 std::span<const Stage> stagesOfFront();
 std::span<const Stage> stagesAfterFront();
 /// The first of the stages after the front: they make a mesh of the shapes of the job's options.

@@ -246,23 +246,39 @@ Result<QuadReport> recombine(Mesh &mesh, ImproveLevel improve, const Progress &p
         return error("not-first-order", "the mesh has elements of second order; expected first order",
                      "split its elements into triangles of 3 nodes");
     }
+    const auto goesOn = [&](double fraction) {
+        progress("joining triangles", fraction);
+        return !progress.cancelled();
+    };
     if (Diagnostics faults = verify(mesh); hasErrors(faults)) {
         return faults;
+    }
+    if (!goesOn(0.2)) {
+        return cancelled("recombining");
     }
     Mesh right = isClockwise(mesh) ? turned(mesh) : mesh;
     const Result<std::shared_ptr<const SpacingField>> spacing = spacingOfMesh(right);
     if (!spacing) {
         return spacing.faults();
     }
+    if (!goesOn(0.5)) {
+        return cancelled("recombining");
+    }
     GivenCells given;
     {
         const EdgeTable table(right);
         given = cellsOf(right, table);
+        if (!goesOn(0.7)) {
+            return cancelled("recombining");
+        }
         joinPairs(right, table, given);
     }
     QuadMesh quads;
     quads.elements =
         QuadWorkspace(right.nodes, std::move(given.cells), std::move(given.faces), given.kept, given.fixed, **spacing);
+    if (!goesOn(0.9)) {
+        return cancelled("recombining");
+    }
     joinTriangles(quads.elements);
     MeshingOptions options;
     options.elements = Elements::Quads;

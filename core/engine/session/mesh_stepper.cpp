@@ -151,6 +151,15 @@ Mesh MeshStepper::mesh() {
     return copyOf(snapshot.mesh->view());
 }
 
+FrontTriangles MeshStepper::triangles() const {
+    const Mesher &mesher = run_->travel().timeline().mesher();
+    FrontTriangles made{mesher.state().nodes, mesher.state().elements, {}};
+    if (const std::vector<std::uint8_t> *colours = mesher.colours()) {
+        made.colours = *colours;
+    }
+    return made;
+}
+
 std::shared_ptr<const AdvanceExplanation> MeshStepper::explanation() {
     return guarded(run_, [](Run &run) { return run.travel().explain().advance; });
 }

@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/session/breakpoints.hpp"
 #include "core/engine/session/session_mode.hpp"
@@ -15,6 +16,13 @@
 #include <vector>
 
 namespace FOREFRONT_API forefront {
+
+/// The triangles that a front has made, in order. A two-coloured front makes the halves of squares.
+struct FrontTriangles {
+    std::vector<Vec2> nodes;
+    std::vector<Element> elements;     ///< counter-clockwise
+    std::vector<std::uint8_t> colours; ///< per node, 0 or 1; empty for a front of triangles
+};
 
 /// A meshing run that moves forward and back, one advance of the front at a time. Every call does its work on the
 /// calling thread and returns when it is done; MeshingSession does the same on a thread of its own.
@@ -74,6 +82,9 @@ class MeshStepper {
     /// Returns the mesh at this position; at the end, the improved one if finish() has made it. A partial mesh has all
     /// nodes and edges of the boundary.
     Mesh mesh();
+    /// Returns the triangles that the front has made at this position. The explanations of advances refer to them by
+    /// number; those of quadrilaterals are halves, which mesh() joins.
+    FrontTriangles triangles() const;
     /// Returns an explanation of the last advance, by doing it again; null before the first one.
     std::shared_ptr<const AdvanceExplanation> explanation();
     /// Returns the work counters at this position.

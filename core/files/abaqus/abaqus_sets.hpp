@@ -16,6 +16,13 @@ inline void writeAbaqusUnit(LengthUnit unit, TextWriter &out) {
     }
 }
 
+/// Writes a comment that shows how a job uses a boundary part: holds its nodes in `directions` directions, or presses
+/// on its surface.
+inline void writeAbaqusUses(const std::string &nodes, const std::string &surface, int directions, TextWriter &out) {
+    out << "** support: *BOUNDARY / " << nodes << ", 1, " << directions << "; load: *DSLOAD / " << surface
+        << ", P, 1.\n";
+}
+
 /// Writes a node set; the indices ascend.
 inline void writeAbaqusNodes(const std::string &name, const std::set<std::uint32_t> &nodes, TextWriter &out) {
     out << "*NSET, NSET=" << name << '\n';

@@ -48,8 +48,10 @@ void writeAbaqusFaces(const SolidMesh &mesh, const std::map<std::int32_t, std::s
         for (const std::size_t k : faces) {
             nodes.insert(mesh.faces[k].nodes().begin(), mesh.faces[k].nodes().end());
         }
+        const std::string surface = unique.claim("S_" + sets.at(tag));
+        writeAbaqusUses(sets.at(tag), surface, 3, out);
         writeAbaqusNodes(sets.at(tag), nodes, out);
-        out << "** tag " << tag << "\n*SURFACE, NAME=" << unique.claim("S_" + sets.at(tag)) << ", TYPE=ELEMENT\n";
+        out << "** tag " << tag << "\n*SURFACE, NAME=" << surface << ", TYPE=ELEMENT\n";
         for (const std::size_t k : faces) {
             out << mesh.faces[k].cell + std::uint64_t{1} << ", S" << mesh.faces[k].side + 1 << '\n';
         }

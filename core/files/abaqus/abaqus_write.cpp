@@ -83,6 +83,7 @@ void writeBoundaries(const MeshView &mesh, const AbaqusNames &names, TextWriter 
                 nodes.insert(static_cast<std::uint32_t>(node));
             }
         }
+        writeAbaqusUses(names.sets.edges.at(tag), names.surfaces.at(tag), 2, out);
         writeAbaqusNodes(names.sets.edges.at(tag), nodes, out);
         out << "** tag " << tag << '\n';
         writeSurface(table, names.surfaces.at(tag), edges, out);

@@ -10,7 +10,6 @@
 #include "core/teaching/film/png_writer.hpp"
 #include "core/teaching/film/video_writer.hpp"
 #include "core/teaching/moment/moment.hpp"
-#include "core/teaching/moment/triangles_only.hpp"
 #include "core/teaching/page/run_page.hpp"
 
 #include <algorithm>
@@ -294,14 +293,11 @@ std::string outputFault(const FilmPlan &plan) {
 }
 
 Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
-    if (Diagnostics refusal = refusalOfQuads(job.options, "a film"); !refusal.empty()) {
-        return refusal;
-    }
     try {
         if (plan.isPage()) {
             return writePage(job, plan, progress);
         }
-        job.options.order = ElementOrder::First; // a film shows the triangles as the front made them
+        job.options.order = ElementOrder::First; // a film shows corners alone
         Result<MeshStepper> stepper = MeshStepper::create(std::move(job), {{}, progress.stop});
         if (!stepper) {
             return progress.cancelled() ? Filming::cancelled() : stepper.faults();

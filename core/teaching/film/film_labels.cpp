@@ -33,7 +33,9 @@ int scoreDecimals(const AdvanceExplanation &advance) {
     constexpr double kEqual = 1e-8; // within rounding
     std::vector<double> scores;
     for (const CandidateTrace &candidate : advance.candidates) {
-        scores.push_back(candidate.score);
+        if (candidate.square == SquareKind::None) { // squares are tried in turn, and labelled without a score
+            scores.push_back(candidate.score);
+        }
     }
     std::sort(scores.begin(), scores.end());
     const auto equal = [](double a, double b) { return b - a <= kEqual * std::abs(b); };
@@ -140,9 +142,13 @@ class LabelPlacer {
 /// Returns the verdict on a candidate for its label, once it is known: " crosses the front". The legend explains the
 /// colour of those that are not tested.
 std::string verdictOf(const Moment &moment, std::size_t k) {
-    const Verdict verdict = moment.advance->candidates[k].verdict;
+    const CandidateTrace &candidate = moment.advance->candidates[k];
+    const Verdict verdict = candidate.verdict;
     if (!moment.judged[k] || verdict == Verdict::NotTried) {
         return {};
+    }
+    if (candidate.square != SquareKind::None) { // what it does is said already
+        return verdict == Verdict::Accepted ? std::string() : std::string(", ") + verdictText(verdict);
     }
     return std::string(" ") + (verdict == Verdict::Withdrawn ? "too near" : verdictText(verdict));
 }
@@ -158,6 +164,9 @@ void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double
     }
     for (std::size_t k = 0; k < moment.candidates; ++k) {
         labels.avoid(at(advance.candidates[k].position));
+        if (advance.candidates[k].square == SquareKind::Opening) {
+            labels.avoid(at(advance.candidates[k].second));
+        }
     }
     const Vec2 middle = 0.5 * (a + b);
     labels.add(a, advance.a, "A", Ink::Base, a - c);
@@ -168,8 +177,9 @@ void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double
     const int decimals = scoreDecimals(advance);
     for (std::size_t k = 0; k < moment.candidates && moment.scoresKnown; ++k) {
         const CandidateTrace &candidate = advance.candidates[k];
-        const std::string text =
-            std::to_string(k + 1) + ": " + fixedText(candidate.score, decimals) + verdictOf(moment, k);
+        const std::string what =
+            candidate.square == SquareKind::None ? fixedText(candidate.score, decimals) : squareText(candidate.square);
+        const std::string text = std::to_string(k + 1) + ": " + what + verdictOf(moment, k);
         const Vec2 point = at(candidate.position);
         labels.add(point, candidate.position, text, Ink::Text, point - middle);
     }

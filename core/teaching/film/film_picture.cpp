@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace forefront {
@@ -32,6 +33,21 @@ class SamplePicture {
             for (int x = left; x <= right; ++x) {
                 const Vec2 p{(x + 0.5) / kSamples, (y + 0.5) / kSamples};
                 if (cross(b - a, p - a) >= 0.0 && cross(c - b, p - b) >= 0.0 && cross(a - c, p - c) >= 0.0) {
+                    at(x, y) = ink;
+                }
+            }
+        }
+    }
+
+    /// Fills a polygon of any shape: a sample is inside if an odd number of its sides pass to the right of it.
+    void polygon(std::span<const Vec2> corners, Ink ink) {
+        Box2 box;
+        for (const Vec2 corner : corners) {
+            box.add(corner);
+        }
+        for (int y = row(box.min.y); y <= row(box.max.y); ++y) {
+            for (int x = column(box.min.x); x <= column(box.max.x); ++x) {
+                if (isInside(corners, {(x + 0.5) / kSamples, (y + 0.5) / kSamples})) {
                     at(x, y) = ink;
                 }
             }
@@ -92,6 +108,16 @@ class SamplePicture {
             triangle(centre, corner(k), corner(k + 1), ink);
         }
     }
+    static bool isInside(std::span<const Vec2> corners, Vec2 p) {
+        bool inside = false;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const Vec2 a = corners[k], b = corners[(k + 1) % corners.size()];
+            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) {
+                inside = !inside;
+            }
+        }
+        return inside;
+    }
     int row(double y) const { return std::clamp(static_cast<int>(std::floor(y * kSamples)), 0, height_ - 1); }
     int column(double x) const { return std::clamp(static_cast<int>(std::floor(x * kSamples)), 0, width_ - 1); }
     std::size_t place(int x, int y) const {
@@ -138,8 +164,8 @@ std::vector<std::uint8_t> filmPalette() {
 FilmPicture paintScene(const FilmScene &scene) {
     SamplePicture picture(scene.width, scene.height);
     const Vec2 corner{static_cast<double>(scene.width), static_cast<double>(scene.height)};
-    for (const auto &[a, b, c] : scene.elements) {
-        picture.triangle(a, b, c, Ink::Face);
+    for (const FilmElement &element : scene.elements) {
+        picture.polygon(element, Ink::Face);
     }
     for (const FilmLine &line : scene.lines) {
         picture.line(line);

@@ -4,12 +4,14 @@
 #include "core/teaching/film/film_labels.hpp"
 #include "core/teaching/film/film_legend.hpp"
 #include "core/teaching/film/stroke_font.hpp"
+#include "core/teaching/moment/candidate_sides.hpp"
 #include "core/teaching/moment/moment.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace forefront {
 
@@ -34,17 +36,15 @@ class SceneBuilder {
     const Moment &told() const { return told_; }
 
     void addMesh() {
-        const TriMesh &mesh = moment_.mesh->mesh;
-        for (const Element &element : mesh.elements) {
-            std::array<Vec2, 3> corners;
-            std::transform(element.begin(), element.end(), corners.begin(),
-                           [&](NodeId node) { return at(mesh.nodes[index(node)]); });
-            if (!onSheet(corners)) {
+        const MeshView mesh = moment_.mesh->view();
+        for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
+            const FilmElement element = outlineOf(mesh, e);
+            if (!onSheet(element)) {
                 continue;
             }
-            scene_.elements.push_back(corners);
-            for (std::size_t k = 0; k < 3; ++k) {
-                scene_.lines.push_back({corners[k], corners[(k + 1) % 3], Ink::Edge, 0.8});
+            scene_.elements.push_back(element);
+            for (std::size_t k = 0; k < element.count; ++k) {
+                scene_.lines.push_back({element.places[k], element.places[(k + 1) % element.count], Ink::Edge, 0.8});
             }
         }
     }
@@ -68,6 +68,18 @@ class SceneBuilder {
             line(segment.a, segment.b, Ink::Front, 2.4);
         }
     }
+    /// Adds the two colours of the nodes of a front: discs and rings, where its segments have room for them.
+    void addColours() {
+        constexpr double kDisc = 7.0, kRing = 4.0, kMinSegment = 14.0; // pixels
+        for (const FrontSegmentView &segment : *moment_.front) {
+            if (segment.colour >= 0 && scale_ * distance(segment.a, segment.b) > kMinSegment) {
+                line(segment.a, segment.a, Ink::Front, kDisc);
+                if (segment.colour == 0) {
+                    line(segment.a, segment.a, Ink::Paper, kRing);
+                }
+            }
+        }
+    }
     void addCandidates() {
         const AdvanceExplanation &advance = *told_.advance;
         for (std::size_t k = 0; k < told_.candidates; ++k) {
@@ -76,10 +88,14 @@ class SceneBuilder {
             const bool open = candidate.verdict == Verdict::NotTried || !told_.judged[k];
             const Ink ink = accepted ? Ink::Accepted : open ? Ink::Candidate : Ink::Rejected;
             if (!open) {
-                line(advance.a, candidate.position, ink, 1.4);
-                line(candidate.position, advance.b, ink, 1.4);
+                for (const auto &[from, to] : sidesOf(advance, candidate)) {
+                    line(from, to, ink, 1.4);
+                }
             }
             line(candidate.position, candidate.position, ink, 8.0);
+            if (candidate.square == SquareKind::Opening) {
+                line(candidate.second, candidate.second, ink, 8.0);
+            }
         }
         line(advance.a, advance.b, Ink::Base, 3.6);
     }
@@ -113,7 +129,7 @@ class SceneBuilder {
             scene_.lines.push_back({c - Vec2{kArm, kArm}, c + Vec2{kArm, kArm}, Ink::Base, 1.4});
             scene_.lines.push_back({c - Vec2{kArm, -kArm}, c + Vec2{kArm, -kArm}, Ink::Base, 1.4});
         }
-        if (told_.candidatesKnown) {
+        if (told_.candidatesKnown && advance.searchRadius > 0.0) {
             scene_.circles.push_back({c, scale_ * advance.searchRadius, Ink::Candidate, 1.0});
         }
         addLabels(
@@ -121,12 +137,24 @@ class SceneBuilder {
     }
 
   private:
+    FilmElement outlineOf(const MeshView &mesh, std::size_t e) const {
+        const std::span<const NodeId> nodes = mesh.nodesOf(e);
+        const CellTraits &traits = traitsOf(mesh.kindOf(e));
+        FilmElement element;
+        for (std::size_t k = 0; k < traits.corners; ++k) {
+            element.add(at(mesh.nodes[index(nodes[k])]));
+            if (traits.order == 2) {
+                element.add(at(mesh.nodes[index(nodes[traits.corners + k])]));
+            }
+        }
+        return element;
+    }
     Vec2 at(Vec2 p) const {
         return {kMargin + scale_ * (p.x - sheet_.box.min.x), kMargin + scale_ * (sheet_.box.max.y - p.y)};
     }
     /// Returns false for points of which no line or triangle can be seen.
-    template <std::size_t Count>
-    bool onSheet(const std::array<Vec2, Count> &points) const {
+    template <class Points>
+    bool onSheet(const Points &points) const {
         Box2 box;
         for (const Vec2 p : points) {
             box.add(p);
@@ -247,7 +275,7 @@ void appendLines(const std::vector<FilmLine> &lines, std::string &svg) {
 
 SnapshotLayers FilmLayers::needed() const {
     return {.mesh = true, // carries the boundary, too
-            .front = has(FilmLayer::Front),
+            .front = has(FilmLayer::Front) || has(FilmLayer::Colours),
             .cells = has(FilmLayer::Grid),
             .explanation = has(FilmLayer::Candidates) || has(FilmLayer::Caption) || has(FilmLayer::Labels)};
 }
@@ -304,6 +332,9 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
     if (layers.has(FilmLayer::Front) && moment.front) {
         builder.addFront();
     }
+    if (layers.has(FilmLayer::Colours) && moment.front) {
+        builder.addColours();
+    }
     const bool explained = static_cast<bool>(builder.told());
     if (layers.has(FilmLayer::Candidates) && explained) {
         builder.addCandidates();
@@ -346,8 +377,11 @@ std::string svgOf(const FilmScene &scene) {
                       "\" height=\"" + height + "\" fill=\"" + colourText(Ink::Paper) + "\"/>\n";
     if (!scene.elements.empty()) {
         svg += "<path fill=\"" + colourText(Ink::Face) + "\" d=\"";
-        for (const auto &[a, b, c] : scene.elements) {
-            svg += 'M' + pair(a) + 'L' + pair(b) + 'L' + pair(c) + "Z\n";
+        for (const FilmElement &element : scene.elements) {
+            for (const Vec2 &corner : element) {
+                svg += (&corner == element.begin() ? 'M' : 'L') + pair(corner);
+            }
+            svg += "Z\n";
         }
         svg += "\"/>\n";
     }

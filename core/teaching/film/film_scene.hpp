@@ -14,17 +14,27 @@
 namespace forefront {
 
 /// A layer of a film.
-enum class FilmLayer : std::uint8_t { Mesh, Boundary, Front, Candidates, Grid, Caption, Labels, Improvement };
+enum class FilmLayer : std::uint8_t {
+    Mesh,
+    Boundary,
+    Front,
+    Candidates,
+    Grid,
+    Caption,
+    Labels,
+    Improvement,
+    Colours ///< of the nodes of a two-coloured front
+};
 template <>
 struct EnumWords<FilmLayer> {
-    static constexpr auto kLast = FilmLayer::Improvement;
-    static constexpr std::array<std::string_view, 8> kList = {"mesh", "boundary", "front",  "candidates",
-                                                              "grid", "caption",  "labels", "improvement"};
+    static constexpr auto kLast = FilmLayer::Colours;
+    static constexpr std::array<std::string_view, 9> kList = {
+        "mesh", "boundary", "front", "candidates", "grid", "caption", "labels", "improvement", "colours"};
 };
 
 /// The layers that a film shows.
 struct FilmLayers {
-    std::array<bool, wordsOf<FilmLayer>().size()> shown{true, true, true, true, false, true, false, true};
+    std::array<bool, wordsOf<FilmLayer>().size()> shown{true, true, true, true, false, true, false, true, true};
 
     bool has(FilmLayer layer) const { return shown[static_cast<std::size_t>(layer)]; }
     /// Returns the parts of a snapshot that these layers need.
@@ -53,6 +63,16 @@ struct FilmCircle {
     double width = 1.0; ///< of its line
 };
 
+/// The outline of an element of a scene, in pixels: its corners, of second order with the middle of each edge.
+struct FilmElement {
+    std::array<Vec2, 8> places;
+    std::size_t count = 0; ///< places that it has
+
+    void add(Vec2 place) { places[count++] = place; }
+    const Vec2 *begin() const { return places.data(); }
+    const Vec2 *end() const { return places.data() + count; }
+};
+
 /// A text of a scene.
 struct FilmText {
     Vec2 at; ///< start of its baseline
@@ -66,7 +86,7 @@ struct FilmText {
 /// Every format of pictures draws these.
 struct FilmScene {
     int width = 0, height = 0;
-    std::vector<std::array<Vec2, 3>> elements;
+    std::vector<FilmElement> elements;
     std::vector<FilmLine> lines;
     std::vector<FilmCircle> circles;
     std::vector<FilmText> texts;     ///< labels, and the lines of the caption

@@ -80,8 +80,11 @@ class PdfPage {
         fill(Ink::Paper);
         rectangle({0.0, 0.0}, {static_cast<double>(scene.width), static_cast<double>(scene.height)});
         fill(Ink::Face);
-        for (const auto &[a, b, c] : scene.elements) {
-            content_ += pdfPoint(a) + "m " + pdfPoint(b) + "l " + pdfPoint(c) + "l f\n";
+        for (const FilmElement &element : scene.elements) {
+            for (const Vec2 &corner : element) {
+                content_ += pdfPoint(corner) + (&corner == element.begin() ? "m " : "l ");
+            }
+            content_ += "f\n";
         }
         for (const FilmLine &line : scene.lines) {
             stroke(line.ink, line.width);

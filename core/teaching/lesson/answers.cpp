@@ -5,6 +5,7 @@
 #include "core/teaching/lesson/random_numbers.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace forefront {
 
@@ -25,6 +26,9 @@ PageAnswers readPage(const JsonValue &object, JsonCheck &check) {
     }
     if (const auto question = object.find("question"); question && !question->is(JsonKind::Null)) {
         page.question = check.string(*question, "a question");
+    }
+    if (const auto shown = object.find("shown")) {
+        page.shown = check.flag(*shown, "\"shown\"");
     }
     const auto answers = check.member(object, "answers", "the page");
     if (!answers || !check.expect(*answers, JsonKind::Array, "\"answers\"")) {
@@ -49,24 +53,50 @@ PageAnswers readPage(const JsonValue &object, JsonCheck &check) {
 } // namespace
 
 LessonAnswers noAnswers(const Lesson &lesson) {
-    LessonAnswers answers{lesson.title, lesson.seed, {}};
+    LessonAnswers answers{lesson.title, lesson.seed, {}, {}};
     for (const LessonPage &page : lesson.pages) {
-        answers.pages.push_back({page.title, page.question ? page.question->text : std::string(), {}, {}});
+        PageAnswers none;
+        none.title = page.title;
+        none.question = page.question ? page.question->text : std::string();
+        answers.pages.push_back(std::move(none));
     }
     return answers;
 }
 
 bool hasAnswers(const LessonAnswers &answers) {
     return std::any_of(answers.pages.begin(), answers.pages.end(),
-                       [](const PageAnswers &page) { return !page.answers.empty(); });
+                       [](const PageAnswers &page) { return !page.answers.empty() || page.shown; });
+}
+
+bool hasRightAnswer(const PageAnswers &page) {
+    return std::any_of(page.answers.begin(), page.answers.end(),
+                       [](const GivenAnswer &answer) { return answer.right; });
+}
+
+AnswerCount countAnswers(const LessonAnswers &answers) {
+    AnswerCount count;
+    for (const PageAnswers &page : answers.pages) {
+        const bool right = hasRightAnswer(page);
+        count.answered += right ? 1U : 0U;
+        count.shown += !right && page.shown ? 1U : 0U;
+    }
+    return count;
 }
 
 std::string answersText(const LessonAnswers &answers) {
     JsonWriter json(JsonWriter::Layout::Indented);
     json.beginObject().member("format", kFormat).member("version", kVersion).member("lesson", answers.lesson);
-    json.member("seed", answers.seed).key("pages").beginArray();
+    json.member("seed", answers.seed);
+    if (!answers.edition.empty()) {
+        json.member("edition", answers.edition);
+    }
+    json.key("pages").beginArray();
     for (const PageAnswers &page : answers.pages) {
-        json.beginObject().member("title", page.title).member("question", page.question).key("answers").beginArray();
+        json.beginObject().member("title", page.title).member("question", page.question);
+        if (page.shown) {
+            json.member("shown", true);
+        }
+        json.key("answers").beginArray();
         for (const GivenAnswer &given : page.answers) {
             json.beginObject().member("answer", given.text).member("right", given.right).endObject();
         }
@@ -98,6 +128,9 @@ Result<LessonAnswers> readAnswers(const SourceText &source) {
     }
     if (const auto seed = root.find("seed")) {
         answers.seed = static_cast<std::uint64_t>(check.integer(*seed, 0, kMaxLessonSeed, "\"seed\""));
+    }
+    if (const auto edition = root.find("edition")) {
+        answers.edition = check.string(*edition, "\"edition\"");
     }
     if (const auto pages = check.member(root, "pages", "the file");
         pages && check.expect(*pages, JsonKind::Array, "\"pages\"")) {

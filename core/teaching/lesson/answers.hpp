@@ -25,6 +25,7 @@ struct PageAnswers {
     std::string title;    ///< of the page
     std::string question; ///< empty: the page has none
     std::vector<GivenAnswer> answers;
+    bool shown = false;  ///< Show me was asked before there was a right answer
     LessonPlace place{}; ///< in the file
 };
 
@@ -33,11 +34,20 @@ struct LessonAnswers {
     std::string lesson;     ///< its title
     std::uint64_t seed = 0; ///< of its random numbers; 0: it has none
     std::vector<PageAnswers> pages;
+    std::string edition{}; ///< differs between versions of the lesson; empty: unknown
 };
 
+/// How many questions have a right answer, and how many others were shown.
+struct AnswerCount {
+    std::size_t answered = 0, shown = 0;
+};
+
+/// Returns true if one of the answers to the question of a page is right.
+bool hasRightAnswer(const PageAnswers &page);
+AnswerCount countAnswers(const LessonAnswers &answers);
 /// Returns no answers to the questions of a lesson.
 LessonAnswers noAnswers(const Lesson &lesson);
-/// Returns true if there is an answer to any question.
+/// Returns true if there is an answer to any question, or one was shown.
 bool hasAnswers(const LessonAnswers &answers);
 /// Returns the answers as a file: JSON, as assets/lessons/README.md describes it.
 std::string answersText(const LessonAnswers &answers);

@@ -114,9 +114,11 @@ class AnswerCheck {
         score.answered += rightAt > 0 ? 1U : 0U;
         score.firstTry += rightAt == 1 ? 1U : 0U;
         score.lines.push_back(page.title + ": " +
-                              (rightAt > 0 ? "right at try " + std::to_string(rightAt)
-                               : count > 0 ? "not right"
-                                           : "not answered") +
+                              (rightAt > 0   ? "right at try " + std::to_string(rightAt)
+                               : count > 0   ? "not right"
+                               : given.shown ? "shown"
+                                             : "not answered") +
+                              (given.shown && count > 0 ? ", after Show me" : "") +
                               (tries.empty() ? "" : " (" + tries + ')'));
     }
 

@@ -5,6 +5,7 @@
   const words = (index) => lesson.words[index];
   const player = $('player');
   const given = lesson.pages.map(() => []); // the answers to the question of each page, in order: { answer, right }
+  const seen = lesson.pages.map(() => false); // whether Show me was asked before a right answer to each question
   let page = 0, shownRun = -1, ready = false, shownAnswer = false;
   /** What the player shows: { done, inner, improve, place, picked }; null before its first word. */
   let moment = null;
@@ -136,6 +137,7 @@
   };
   $('show').onclick = () => {
     shownAnswer = true;
+    seen[page] = seen[page] || !solved();
     goTo(questionNow().show);
   };
 
@@ -181,7 +183,7 @@
 
   $('save').onclick = () => {
     const record = { format: 'forefront-answers', version: 1, lesson: lesson.title, seed: lesson.seed,
-      pages: lesson.pages.map(({ title, question }, i) => ({ title, question: question ? question.text : null, answers: given[i] })) };
+      pages: lesson.pages.map(({ title, question }, i) => ({ title, question: question ? question.text : null, ...(seen[i] ? { shown: true } : {}), answers: given[i] })) };
     const link = document.createElement('a');
     link.href = URL.createObjectURL(new Blob([JSON.stringify(record, null, 2) + '\n'], { type: 'application/json' }));
     link.download = lesson.title.replace(/[^\p{L}\p{N}]+/gu, '-').toLowerCase() + '-answers.json';

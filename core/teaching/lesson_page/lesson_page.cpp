@@ -24,9 +24,9 @@ struct ShownRun {
 };
 
 /// Returns the index into `runs` of the run that a page shows, which becomes a new one if none of them is the same;
-/// -1 without a drawing, or if the run makes quadrilaterals, which the player does not show.
+/// -1 without a drawing.
 int runOf(const LessonPage &page, std::vector<ShownRun> &runs) {
-    if (!page.document || makesQuads(documentOf(page)->options)) {
+    if (!page.document) {
         return -1;
     }
     const auto found =
@@ -70,8 +70,8 @@ class LessonData {
   public:
     LessonData(TextWriter &out, const Progress &progress) : out_(out), progress_(progress) {}
 
-    /// Writes a page as an object. `number`: the index of its run; -1: the page for a browser shows none, though values
-    /// are those of `run` unless it is null. `moments`: see ShownRun.
+    /// Writes a page as an object. `number`: the index of its run, which is `run`; -1 and null: it has none. `moments`:
+    /// see ShownRun.
     void page(const LessonPage &page, int number, LessonRun *run, std::size_t moments) {
         page_ = &page;
         run_ = run;
@@ -84,11 +84,7 @@ class LessonData {
         const LessonState state{*shown};
         out_ << "{\"title\":" << scriptString(page.title) << ",\"run\":" << number << ",\"at\":";
         position(page.position);
-        shows_ = number >= 0;
-        if (run != nullptr && !shows_) {
-            out_ << ",\"note\":"
-                 << scriptString("This page is about a front of quadrilaterals, which the editor shows.");
-        } else if (shown->improveStep > 0 && !momentOf(shown->improveStep)) {
+        if (shown->improveStep > 0 && !momentOf(shown->improveStep)) {
             out_ << ",\"note\":"
                  << scriptString("This page is about step " + std::to_string(shown->improveStep) + " of " +
                                  std::to_string(shown->improveSteps) +
@@ -193,14 +189,9 @@ class LessonData {
             out_ << ']';
         } else if (task != nullptr) {
             out_ << ",\"asksForCandidate\":" << (asksForCandidate(*task) ? "true" : "false") << ",\"done\":[";
-            const bool any = shows_ && moments(*task, question.why);
+            const bool any = run_ != nullptr && moments(*task, question.why);
             out_ << ']';
-            if (!any && run_ != nullptr && !shows_) {
-                out_ << ",\"note\":"
-                     << scriptString(
-                            "This task needs the editor, which shows fronts of quadrilaterals. Open the lesson "
-                            "there to do it.");
-            } else if (!any) {
+            if (!any) {
                 out_ << ",\"note\":"
                      << scriptString("This task needs a moment that the editor shows, such as a step of the "
                                      "improvement. Open the lesson there to do it.");
@@ -274,7 +265,6 @@ class LessonData {
     const LessonPage *page_ = nullptr;
     LessonRun *run_ = nullptr;
     std::size_t moments_ = 0; ///< of the improvement, that the player has
-    bool shows_ = false;      ///< the page for a browser shows the run
     WordList words_;
     Diagnostics warnings_;
 };

@@ -1,5 +1,5 @@
 # Converts NAME.html, NAME.css and NAME.js of a folder into a C++ source with the functions of a header:
-# cmake -DFOLDER=... -DNAME=player -DHEADER=... -DOUTPUT=... [-DPARTS=FIRST.js] -P embed_player.cmake. The script is that of
+# cmake -DFOLDER=... -DNAME=player -DHEADER=... -DOUTPUT=... [-DPARTS=FIRST.js;...] -P embed_player.cmake. The script is that of
 # the parts, then NAME.js.
 set(functions "")
 foreach(part IN ITEMS Body:html Style:css Script:js)

@@ -1,14 +1,21 @@
 /**
- * Follows the improvement that `improved` records, from a finished front with these nodes and elements. Returns a function
- * that gives the mesh after a number of steps and what the last of them has changed: { nodes, elements, gone: nodes that
- * are in the list but not in the mesh, moved: [from, to], made: elements, lost: edges, added, removed: places of nodes }.
+ * Follows the improvement that `improved` records, from a finished front with these nodes and triangles. Returns a function
+ * that gives the mesh after a number of steps and what the last of them has changed: { nodes, cells: its elements as { list,
+ * corners, count }, gone: nodes that are in the list but not in the mesh, moved: [from, to, number], made: elements, lost:
+ * edges, added, removed: places of nodes }.
  */
-const improvementOf = (improved, startNodes, startElements) => {
+const improvementOf = (improved, startNodes, triangles) => {
   'use strict';
-  const { unit, steps } = improved;
+  const { unit, steps, corners: width } = improved;
   const edge = (a, b) => Math.min(a, b) + ',' + Math.max(a, b);
-  const sidesOf = (corners) => corners.map((a, k) => [a, corners[(k + 1) % 3]]);
-  const begin = () => ({ done: 0, units: startNodes.map((v) => Math.round(v / unit)), list: startElements.slice(), gone: new Set() });
+  const sidesOf = (element) => element.filter((n) => n >= 0).map((a, k, all) => [a, all[(k + 1) % all.length]]);
+  const padded = () => {
+    const list = [];
+    for (let i = 0; i < triangles.length; i += 3) { list.push(...triangles.slice(i, i + 3), -1); }
+    return list;
+  };
+  const first = improved.start || (width === 4 ? padded() : triangles); // elements
+  const begin = () => ({ done: 0, units: startNodes.map((v) => Math.round(v / unit)), list: first.slice(), gone: new Set() });
   let state = begin();
 
   /** Takes the next step. Returns what it changes. */
@@ -17,8 +24,8 @@ const improvementOf = (improved, startNodes, startElements) => {
     const { units, list, gone } = state;
     const place = (i) => [units[2 * i] * unit, units[2 * i + 1] * unit];
     const before = [], made = [];
-    for (let i = 0; i < c.length; i += 4) {
-      const was = list.slice(3 * c[i], 3 * c[i] + 3), is = c.slice(i + 1, i + 4);
+    for (let i = 0; i < c.length; i += width + 1) {
+      const was = list.slice(width * c[i], width * c[i] + width), is = c.slice(i + 1, i + width + 1);
       if (was.length > 0 && was[0] >= 0) { before.push(was); }
       if (is[0] >= 0) { made.push(is); }
     }
@@ -38,8 +45,8 @@ const improvementOf = (improved, startNodes, startElements) => {
       added.push(place(units.length / 2 - 1));
     }
     r.forEach((i) => gone.add(i));
-    for (let i = 0; i < c.length; i += 4) {
-      for (let k = 0; k < 3; ++k) { list[3 * c[i] + k] = c[i + 1 + k]; }
+    for (let i = 0; i < c.length; i += width + 1) {
+      for (let k = 0; k < width; ++k) { list[width * c[i] + k] = c[i + 1 + k]; }
     }
     return { moved, made, lost: [...lost.values()], added, removed };
   };
@@ -49,6 +56,8 @@ const improvementOf = (improved, startNodes, startElements) => {
     let change = null;
     while (state.done < done) { change = advance(); }
     const { units, list, gone } = state;
-    return { done, nodes: units.map((v) => v * unit), elements: list.filter((_, i) => list[i - i % 3] >= 0), gone: new Set(gone), ...change };
+    const alive = list.filter((_, i) => list[i - i % width] >= 0);
+    const cells = { list: alive, corners: width, count: alive.length / width };
+    return { done, nodes: units.map((v) => v * unit), cells, gone: new Set(gone), ...change };
   };
 };

@@ -22,16 +22,28 @@ struct UnitPlace {
     std::int64_t x = 0, y = 0;
 };
 
-using Corners = std::array<std::uint32_t, 3>;
+/// The corners of an element; the last one of a triangle is kNoIndex.
+using Corners = std::array<std::uint32_t, 4>;
 
-std::uint32_t numberOf(NodeId node) {
-    return static_cast<std::uint32_t>(node);
+/// Returns the corners of an element with the smallest number first, which tells it from all others. `numberOf`: gives
+/// the number of a node.
+template <class NumberOf>
+Corners cornersFrom(std::span<const NodeId> nodes, const NumberOf &numberOf) {
+    Corners corners{kNoIndex, kNoIndex, kNoIndex, kNoIndex};
+    const auto end = std::ranges::transform(nodes, corners.begin(), numberOf).out;
+    std::rotate(corners.begin(), std::min_element(corners.begin(), end), end);
+    return corners;
 }
 
-/// Returns the corners of an element with the smallest number first, which tells it from all others.
-Corners fromSmallest(Corners corners) {
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    return corners;
+/// Returns the figures of a step as the player shows them.
+std::string figuresText(const ImproveStep &step) {
+    if (!step.quads) {
+        return numberText(step.after.alphaMean, 4) + ',' + numberText(step.after.alphaMin, 4);
+    }
+    return step.measured
+               ? numberText(step.quadsAfter.jacobianMean, 4) + ',' + numberText(step.quadsAfter.jacobianMin, 4) + ',' +
+                     std::to_string(step.quadsAfter.irregular)
+               : std::string();
 }
 
 /// A list of numbers as JSON, with its name; nothing if it is empty.
@@ -53,7 +65,8 @@ class NamedList {
 /// Follows the nodes and elements of a mesh through the steps of its improvement.
 class ImprovementTracker {
   public:
-    explicit ImprovementTracker(const Mesh &front) {
+    /// `width`: corners written for each element, 3 or 4.
+    ImprovementTracker(const Mesh &front, unsigned width) : width_(width) {
         const Vec2 size = front.bounds().size();
         constexpr double kUnits = 1e5; // in the size of the mesh; a tenth of a pixel of a wide screen
         unit_ = std::max({size.x, size.y, 1e-300}) / kUnits;
@@ -63,8 +76,8 @@ class ImprovementTracker {
         keepNodes(front.nodes, [](std::size_t n) { return static_cast<std::uint32_t>(n); });
         const MeshView view(front);
         for (std::size_t e = 0; e < view.elementCount(); ++e) {
-            const auto corners = view.cornersOf(e);
-            slots_.push_back(fromSmallest({numberOf(corners[0]), numberOf(corners[1]), numberOf(corners[2])}));
+            slots_.push_back(
+                cornersFrom(view.cornersOf(e), [](NodeId node) { return static_cast<std::uint32_t>(node); }));
             slotOf_[slots_.back()] = e;
         }
     }
@@ -72,13 +85,12 @@ class ImprovementTracker {
     double unit() const { return unit_; }
 
     /// Returns a step, which leads to this mesh, as JSON.
-    std::string take(const ImproveStep &step, std::size_t steps, std::span<const Vec2> nodes,
-                     std::span<const Element> elements) {
+    std::string take(const ImproveStep &step, std::size_t steps, const MeshView &mesh) {
         const std::string text = caption(step, steps);
-        std::string json = "{\"w\":" + scriptString(text.substr(text.find(": ") + 2)) + ",\"f\":[" +
-                           numberText(step.after.alphaMean, 4) + ',' + numberText(step.after.alphaMin, 4) + ']';
-        const std::vector<std::uint32_t> numbers = takeNodes(step, nodes, json);
-        takeElements(elements, numbers, json);
+        std::string json =
+            "{\"w\":" + scriptString(text.substr(text.find(": ") + 2)) + ",\"f\":[" + figuresText(step) + ']';
+        const std::vector<std::uint32_t> numbers = takeNodes(step, mesh.nodes, json);
+        takeElements(mesh, numbers, json);
         return json + '}';
     }
 
@@ -131,12 +143,12 @@ class ImprovementTracker {
     }
 
     /// Appends which places of the list of elements have changed.
-    void takeElements(std::span<const Element> elements, const std::vector<std::uint32_t> &numbers, std::string &json) {
+    void takeElements(const MeshView &mesh, const std::vector<std::uint32_t> &numbers, std::string &json) {
         std::vector<Corners> made;
         std::vector<bool> stays(slots_.size(), false);
-        for (const Element &element : elements) {
+        for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
             const Corners corners =
-                fromSmallest({numbers[index(element[0])], numbers[index(element[1])], numbers[index(element[2])]});
+                cornersFrom(mesh.cornersOf(e), [&numbers](NodeId node) { return numbers[index(node)]; });
             if (const auto slot = slotOf_.find(corners); slot != slotOf_.end()) {
                 stays[slot->second] = true;
             } else {
@@ -162,16 +174,18 @@ class ImprovementTracker {
     }
     void addSlot(std::size_t slot, NamedList &changed) {
         const Corners &corners = slots_[slot];
-        if (corners == kVacant) {
-            changed.add(slot, -1, -1, -1);
-        } else {
+        changed.add(slot);
+        for (unsigned k = 0; k < width_; ++k) {
+            changed.add(corners[k] == kNoIndex ? std::int64_t{-1} : std::int64_t{corners[k]});
+        }
+        if (corners != kVacant) {
             slotOf_[corners] = slot;
-            changed.add(slot, corners[0], corners[1], corners[2]);
         }
     }
 
-    static constexpr Corners kVacant{kNoIndex, kNoIndex, kNoIndex};
+    static constexpr Corners kVacant{kNoIndex, kNoIndex, kNoIndex, kNoIndex};
 
+    unsigned width_;
     double unit_ = 0.0;
     std::vector<UnitPlace> places_;                                         ///< by lasting number, as shown
     std::map<std::pair<double, double>, std::vector<std::uint32_t>> known_; ///< numbers of the nodes at a place
@@ -189,27 +203,37 @@ void RecordedImprovement::limit(std::size_t maxBytes) {
     steps.resize(kept);
 }
 
-RecordedImprovement recordImprovement(MeshStepper &stepper, const Mesh &front, std::size_t maxBytes,
+RecordedImprovement recordImprovement(MeshStepper &stepper, const Mesh &front, unsigned width, std::size_t maxBytes,
                                       const Progress &progress) {
-    ImprovementTracker tracker(front);
+    ImprovementTracker tracker(front, width);
     RecordedImprovement record;
+    record.width = width;
     record.unit = tracker.unit();
     std::size_t bytes = 0;
     constexpr SnapshotLayers kMesh{.mesh = true, .front = false, .cells = false, .explanation = false};
-    record.total = stepper.snapshot({.mesh = false, .front = false})->improveSteps;
+    constexpr SnapshotLayers kFiguresAlone{.mesh = false, .front = false, .cells = false, .explanation = false};
+    record.total = stepper.snapshot(kFiguresAlone)->improveSteps;
     while (record.steps.size() < record.total && !progress.cancelled()) {
         stepper.step(Granularity::Event, 1);
         const std::shared_ptr<const SessionSnapshot> now = stepper.snapshot(kMesh);
         if (!now->improvement || now->improveStep != record.steps.size() + 1) {
             break;
         }
-        const TriMesh &mesh = now->mesh->mesh;
-        std::string step = tracker.take(*now->improvement, record.total, mesh.nodes, mesh.elements);
+        if (record.steps.empty()) {
+            record.before = now->improvement->quadsBefore;
+        }
+        std::string step = tracker.take(*now->improvement, record.total, now->mesh->view());
         bytes += step.size();
         if (bytes > maxBytes) {
             break;
         }
         record.steps.push_back(std::move(step));
+    }
+    // A step forward shows the figures of the last step, which may be one that is not recorded.
+    const std::size_t done = stepper.snapshot(kFiguresAlone)->improveStep;
+    stepper.step(Granularity::Event, static_cast<std::int64_t>(record.total - std::min(done, record.total)));
+    if (const auto last = stepper.snapshot(kFiguresAlone)->improvement) {
+        record.after = last->quadsAfter;
     }
     return record;
 }

@@ -2,9 +2,10 @@
 
 #include "core/engine/mesh/quality.hpp"
 #include "core/files/json/json.hpp"
-#include "core/teaching/moment/triangles_only.hpp"
+#include "core/teaching/moment/short_texts.hpp"
 #include "core/teaching/page/run_record.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace forefront {
@@ -13,14 +14,49 @@ namespace {
 
 /// Returns the line below the title: "Classic method, hierarchical grid".
 std::string aboutText(const MeshingOptions &options) {
-    std::string text = options.method == Method::Classic ? "Classic method, " : "Fast method, ";
+    std::string text = makesQuads(options)                 ? "Front of quadrilaterals, "
+                       : options.method == Method::Classic ? "Classic method, "
+                                                           : "Fast method, ";
     return text + (options.grid == GridKind::None ? "no" : std::string(wordOf(options.grid))) + " grid";
 }
 
-/// Writes the values that the player shows of a finished mesh.
-void writeShape(TextWriter &out, const MeshView &mesh) {
+/// Writes the values that the player shows of a finished mesh. `figures`: of a mesh of quadrilaterals, else null.
+void writeShape(TextWriter &out, const MeshView &mesh, const QuadFigures *figures) {
+    if (figures != nullptr) {
+        out << "\"mean\":" << figures->jacobianMean << ",\"least\":" << figures->jacobianMin
+            << ",\"irregular\":" << figures->irregular;
+        return;
+    }
     const MeshQuality quality = measureQuality(mesh, nullptr);
     out << "\"mean\":" << quality.alphaMean << ",\"least\":" << quality.alphaMin;
+}
+
+/// Writes the lines of the ten steps and the words of the verdicts, as the editor has them.
+void writeTexts(TextWriter &out, const RecordedRun &run) {
+    const FrontRules *const rules = run.options.method == Method::Classic ? &run.options.rules : nullptr;
+    out << ",\n\"lines\":[";
+    for (int step = 1; step <= kStepCount; ++step) {
+        const Step each = static_cast<Step>(step);
+        out << (step == 1 ? "" : ",") << scriptString(run.isColoured() ? squareStepLine(each) : stepLine(each, rules));
+    }
+    out << "],\n\"verdicts\":[";
+    for (const Verdict verdict : valuesOf<Verdict>()) {
+        out << (verdict == Verdict::NotTried ? "" : ",") << scriptString(shortVerdict(verdict));
+    }
+    out << ']';
+}
+
+/// Writes the colours of the nodes of a two-coloured front as a string of 0 and 1.
+void writeColours(TextWriter &out, const std::vector<std::uint8_t> &colours) {
+    out << ",\n\"colours\":\"";
+    for (const std::uint8_t colour : colours) {
+        out << (colour == 0 ? '0' : '1');
+    }
+    out << '"';
+}
+
+bool hasQuadrilaterals(const MeshView &mesh) {
+    return std::ranges::any_of(mesh.blocks(), [](const MeshView::Block &block) { return block.traits().corners == 4; });
 }
 
 } // namespace
@@ -38,11 +74,8 @@ Result<RecordedRun> recordRun(const MeshingJob &job, const RunPagePlan &plan, co
 
 Result<RecordedRun> recordRun(MeshStepper &stepper, const MeshingOptions &options, const RunPagePlan &plan,
                               const Progress &progress) {
-    if (Diagnostics refusal = refusalOfQuads(options, "a page"); !refusal.empty()) {
-        return refusal;
-    }
     stepper.seek(0);
-    RecordedRun run{options, stepper.mesh(), stepper.front(), {}, {}, false, {}};
+    RecordedRun run{options, stepper.mesh(), stepper.front(), {}, {}, {}, false, {}};
     while (!plan.steps || run.advances.size() < plan.from + *plan.steps) {
         if (progress.cancelled()) {
             return error("cancelled", "the page was cancelled");
@@ -64,14 +97,21 @@ Result<RecordedRun> recordRun(MeshStepper &stepper, const MeshingOptions &option
     stepper.seek(run.advances.size()); // back from the first step of the improvement, if the run has such steps
     run.complete = stepper.complete() && stepper.position() == stepper.known();
     run.mesh = stepper.mesh();
-    if (run.complete && options.improve != ImproveLevel::None) {
-        run.improvement = recordImprovement(stepper, run.mesh, plan.maxImproveBytes, progress);
+    run.triangles = stepper.triangles();
+    const std::size_t steps = stepper.snapshot({.mesh = false, .front = false})->improveSteps;
+    if (run.complete && (options.improve != ImproveLevel::None || steps > 0)) {
         if (!stepper.finish(progress)) {
             return progress.cancelled() ? error("cancelled", "the page was cancelled")
                                         : error("unfinished-run", "the mesh cannot be completed after its front",
                                                 "mesh the drawing to see why");
         }
         run.improved = stepper.mesh();
+        const unsigned width = run.isColoured() || hasQuadrilaterals(*run.improved) ? 4 : 3;
+        stepper.seek(run.advances.size());
+        run.improvement = recordImprovement(stepper, run.mesh, width, plan.maxImproveBytes, progress);
+        if (progress.cancelled()) {
+            return error("cancelled", "the page was cancelled");
+        }
     }
     return run;
 }
@@ -116,7 +156,12 @@ void writeRunWithoutSteps(TextWriter &out, const RecordedRun &steps, const std::
     RunRecord record(out);
     WordList words;
     out << "{\"title\":" << scriptString(title) << ",\"about\":" << jsonString(aboutText(steps.options))
-        << ",\"from\":" << from << ",\"boundaryNodes\":" << steps.start.nodes.size() << ",\n\"nodes\":";
+        << ",\"from\":" << from << ",\"boundaryNodes\":" << steps.start.nodes.size();
+    writeTexts(out, steps);
+    if (steps.isColoured()) {
+        writeColours(out, steps.triangles.colours);
+    }
+    out << ",\n\"nodes\":";
     record.nodes(steps.mesh.nodes);
     out << ",\n\"edges\":";
     record.edges(steps.start);
@@ -129,30 +174,42 @@ void writeRunWithoutSteps(TextWriter &out, const RecordedRun &steps, const std::
         out << (&advance == steps.advances.data() ? "\n" : ",\n");
         const auto number = static_cast<std::size_t>(&advance - steps.advances.data());
         if (detailed.empty() || detailed[number]) {
-            record.advance(*advance, steps.mesh, words);
+            record.advance(*advance, steps.triangles.elements, words);
         } else {
-            record.elements(*advance, steps.mesh);
+            record.elements(*advance, steps.triangles.elements);
         }
     }
     out << "],\n\"words\":[";
     for (const std::string &word : words.words()) {
         out << (&word == words.words().data() ? "" : ",\n") << scriptString(word);
     }
-    out << "],\n\"raw\":{";
-    writeShape(out, steps.mesh);
-    out << "},\n\"improved\":";
+    const RecordedImprovement &improvement = steps.improvement;
+    const bool isColoured = steps.isColoured();
+    out << "],\n\"raw\":";
+    if (isColoured && !steps.improved) { // its figures are those of the first step
+        out << "null";
+    } else {
+        out << '{';
+        writeShape(out, steps.mesh, isColoured ? &improvement.before : nullptr);
+        out << '}';
+    }
+    out << ",\n\"improved\":";
     if (!steps.improved) {
         out << "null";
         return;
     }
     out << '{';
-    writeShape(out, *steps.improved);
-    out << ",\"nodes\":";
+    writeShape(out, *steps.improved, isColoured ? &improvement.after : nullptr);
+    out << ",\"corners\":" << improvement.width << ",\"nodes\":";
     record.nodes(steps.improved->nodes);
     out << ",\"edges\":";
     record.edges(*steps.improved);
     out << ",\"elements\":";
-    record.triangles(*steps.improved);
+    record.cells(*steps.improved, improvement.width);
+    if (isColoured) {
+        out << ",\"start\":";
+        record.cells(steps.mesh, improvement.width);
+    }
 }
 
 } // namespace forefront

@@ -22,10 +22,13 @@ struct RecordedRun {
     std::vector<FrontSegmentView> front; ///< before the first advance
     std::vector<std::shared_ptr<const AdvanceExplanation>> advances;
     Mesh mesh;                         ///< after the last one, not improved
+    FrontTriangles triangles;          ///< made by them
     bool complete = false;             ///< they end with the run
-    std::optional<Mesh> improved;      ///< the finished mesh, if the run is complete and improves it
+    std::optional<Mesh> improved;      ///< the finished mesh, if the run is complete and more follows on the front
     RecordedImprovement improvement{}; ///< the steps that lead to it
 
+    /// Returns true if the front is one of two colours, which makes halves of squares.
+    bool isColoured() const { return !triangles.colours.empty(); }
     /// Returns the number of moments after the front, the last of which shows the improved mesh.
     std::size_t improveMoments() const { return improved ? improvement.moments() : 0; }
 };

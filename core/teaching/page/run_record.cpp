@@ -1,6 +1,8 @@
 #include "core/teaching/page/run_record.hpp"
 
 #include "core/engine/base/number_text.hpp"
+#include "core/teaching/moment/candidate_sides.hpp"
+#include "core/teaching/moment/short_texts.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -53,7 +55,18 @@ std::string withoutEdge(const std::string &caption) {
     return end == std::string::npos ? caption : caption.substr(end + 2);
 }
 
-void writeCandidate(TextWriter &out, const CandidateTrace &candidate) {
+/// Writes what a square is: its short name, what it does, and its new sides as a line of places.
+void writeSquare(TextWriter &out, const AdvanceExplanation &advance, const CandidateTrace &square) {
+    out << ",\"name\":\"" << shortName(square) << "\",\"does\":\"" << squareText(square.square) << "\",\"sides\":";
+    NumberList places(out);
+    const std::vector<PlacedSide> sides = sidesOf(advance, square);
+    places.add(sides.front()[0]);
+    for (const PlacedSide &side : sides) {
+        places.add(side[1]);
+    }
+}
+
+void writeCandidate(TextWriter &out, const AdvanceExplanation &advance, const CandidateTrace &candidate) {
     out << "{\"node\":" << (candidate.node == kNoNode ? -1 : static_cast<std::int64_t>(index(candidate.node)));
     if (candidate.node == kNoNode) {
         out << ",\"at\":";
@@ -63,7 +76,11 @@ void writeCandidate(TextWriter &out, const CandidateTrace &candidate) {
         << ",\"ac\":" << numberText(candidate.deltaAC, kShareDigits)
         << ",\"cb\":" << numberText(candidate.deltaCB, kShareDigits)
         << ",\"score\":" << numberText(candidate.score, kShareDigits)
-        << ",\"verdict\":" << static_cast<int>(candidate.verdict) << '}';
+        << ",\"verdict\":" << static_cast<int>(candidate.verdict);
+    if (candidate.square != SquareKind::None) {
+        writeSquare(out, advance, candidate);
+    }
+    out << '}';
 }
 
 /// Writes a list of items, each by write(item).
@@ -103,31 +120,33 @@ void RunRecord::edges(const MeshView &mesh) {
     }
 }
 
-void RunRecord::triangles(const MeshView &mesh) {
+void RunRecord::cells(const MeshView &mesh, unsigned width) {
     NumberList list(out_);
     for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
-        for (const NodeId node : mesh.cornersOf(e)) {
-            list.add(index(node));
+        const std::span<const NodeId> corners = mesh.cornersOf(e);
+        for (unsigned k = 0; k < width; ++k) {
+            list.add(k < corners.size() ? static_cast<std::int64_t>(index(corners[k])) : std::int64_t{-1});
         }
     }
 }
 
-void RunRecord::elements(const AdvanceExplanation &advance, const MeshView &mesh) {
+void RunRecord::elements(const AdvanceExplanation &advance, std::span<const Element> triangles) {
     NumberList list(out_);
     for (std::size_t k = 0; k < advance.elements; ++k) {
-        for (const NodeId node : mesh.cornersOf(index(advance.element) + k)) {
+        for (const NodeId node : triangles[index(advance.element) + k]) {
             list.add(index(node));
         }
     }
 }
 
-void RunRecord::advance(const AdvanceExplanation &advance, const MeshView &mesh, WordList &words) {
+void RunRecord::advance(const AdvanceExplanation &advance, std::span<const Element> triangles, WordList &words) {
     out_ << "{\"base\":";
     NumberList(out_).add(index(advance.nodeA)).add(index(advance.nodeB));
     out_ << ",\"rho\":" << numberText(advance.rho, kPlaceDigits) << ",\"c\":";
     NumberList(out_).add(advance.ideal);
     out_ << ",\"radius\":" << numberText(advance.searchRadius, kPlaceDigits);
-    writeList(out_, "candidates", advance.candidates, [&](const CandidateTrace &c) { writeCandidate(out_, c); });
+    writeList(out_, "candidates", advance.candidates,
+              [&](const CandidateTrace &c) { writeCandidate(out_, advance, c); });
     writeList(out_, "tests", advance.tests, [&](const TestTrace &t) {
         NumberList list(out_);
         list.add(t.candidate).add(t.candidateFrom).add(t.candidateTo).add(t.frontA).add(t.frontB).add(t.meets ? 1 : 0);
@@ -140,7 +159,7 @@ void RunRecord::advance(const AdvanceExplanation &advance, const MeshView &mesh,
         }
     }
     out_ << ",\"elements\":";
-    elements(advance, mesh);
+    elements(advance, triangles);
     std::size_t number = 0;
     writeList(out_, "events", advance.events, [&](const TraceEvent &event) {
         NumberList list(out_);

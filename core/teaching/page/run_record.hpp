@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/engine/mesher/trace.hpp"
 #include "core/files/text/text_writer.hpp"
 
@@ -32,13 +33,14 @@ class RunRecord {
     void nodes(std::span<const Vec2> nodes);
     /// Writes the tagged edges of a mesh as pairs of nodes: [a, b, a, b, ...].
     void edges(const MeshView &mesh);
-    /// Writes the corners of all triangles of a mesh: [a, b, c, ...].
-    void triangles(const MeshView &mesh);
-    /// Writes an advance as an object, without its number. `mesh`: holds the elements that it made; `words`: receives
-    /// its captions.
-    void advance(const AdvanceExplanation &advance, const MeshView &mesh, WordList &words);
-    /// Writes the elements that an advance made in place of the advance: [a, b, c, ...].
-    void elements(const AdvanceExplanation &advance, const MeshView &mesh);
+    /// Writes the corners of all elements of a mesh, `width` numbers for each: [a, b, c, ...]; of four numbers, the
+    /// last of a triangle is -1.
+    void cells(const MeshView &mesh, unsigned width);
+    /// Writes an advance as an object, without its number. `triangles`: made by the front; `words`: receives its
+    /// captions.
+    void advance(const AdvanceExplanation &advance, std::span<const Element> triangles, WordList &words);
+    /// Writes the triangles that an advance made in place of the advance: [a, b, c, ...].
+    void elements(const AdvanceExplanation &advance, std::span<const Element> triangles);
 
   private:
     TextWriter &out_;

@@ -2,7 +2,6 @@
 
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
-#include "core/teaching/moment/triangles_only.hpp"
 
 #include <algorithm>
 #include <array>
@@ -140,8 +139,9 @@ class AdvanceComparison {
     }
     /// A node that two searches found is two candidates here: one that agrees is enough.
     std::string candidate(const TracedCandidate &there) const {
-        std::string found = "the node at " + placeText(there.at) + " is not a candidate: it is no node of the front " +
-                            "within " + numberText(ours_.searchRadius, 6) + " of C";
+        std::string found = "the node at " + placeText(there.at) +
+                            " is not a candidate: " + (ours_.coloured ? "no square has its corner there, and " : "") +
+                            "it is no node of the front within " + numberText(ours_.searchRadius, 6) + " of C";
         for (const CandidateTrace &here : ours_.candidates) {
             if (!same(there.at, here.position)) {
                 continue;
@@ -162,7 +162,11 @@ class AdvanceComparison {
                std::string(wordOf(theirs));
     }
     std::string nameOf(const CandidateTrace &here) const {
-        return (here.node == kNoNode ? "C at " : "the node at ") + placeText(here.position);
+        return (here.square != SquareKind::None
+                    ? std::string("the square that ") + squareText(here.square) + ", with a corner at "
+                : here.node == kNoNode ? "C at "
+                                       : "the node at ") +
+               placeText(here.position);
     }
     static std::string blockOf(const CandidateTrace &here) {
         if (!here.blocked) {
@@ -239,12 +243,10 @@ class AdvanceComparison {
 
 Result<TraceComparison> compareTrace(MeshingJob job, std::span<const TracedAdvance> trace,
                                      std::optional<std::uint64_t> steps, const Progress &progress) {
-    if (Diagnostics refusal = refusalOfQuads(job.options, "a trace"); !refusal.empty()) {
-        return refusal;
-    }
     job.options.improve = ImproveLevel::None;
     job.options.order = ElementOrder::First;
-    const FrontRules rules = job.options.method == Method::Classic ? job.options.rules : FrontRules();
+    const bool hasRules = job.options.method == Method::Classic && !makesQuads(job.options);
+    const FrontRules rules = hasRules ? job.options.rules : FrontRules();
     Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
     if (!stepper) {
         return stepper.faults();

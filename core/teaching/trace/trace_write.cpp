@@ -3,15 +3,30 @@
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/files/json/json_text.hpp"
 #include "core/files/rules/rules_json.hpp"
-#include "core/teaching/moment/triangles_only.hpp"
 
+#include <cstdint>
 #include <limits>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
 namespace {
+
+const char *squareWord(SquareKind square) {
+    switch (square) {
+    case SquareKind::Row:
+        return "row";
+    case SquareKind::Opening:
+        return "opening";
+    case SquareKind::Closing:
+        return "closing";
+    case SquareKind::None:
+        break;
+    }
+    return "half";
+}
 
 /// Writes the advances of a run, each on a line.
 class TraceWriter {
@@ -30,7 +45,13 @@ class TraceWriter {
     void boundary() {
         out_ << "\"boundary\": {\"nodes\": [";
         json_.list(stepper_.mesh().nodes, ", ", [&](Vec2 node) { json_.point(node); });
-        out_ << "],\n  \"segments\": [";
+        out_ << ']';
+        if (const std::vector<std::uint8_t> colours = stepper_.triangles().colours; !colours.empty()) {
+            out_ << ",\n  \"colours\": [";
+            json_.list(colours, ", ", [&](std::uint8_t colour) { out_ << static_cast<unsigned>(colour); });
+            out_ << ']';
+        }
+        out_ << ",\n  \"segments\": [";
         json_.list(stepper_.front(), ", ", [&](const FrontSegmentView &segment) {
             out_ << '[' << index(segment.nodeA) << ", " << index(segment.nodeB) << ']';
         });
@@ -47,7 +68,11 @@ class TraceWriter {
         if (const std::uint32_t equal = equalBases(advance); equal > 0) {
             out_ << ", \"equal\": " << equal;
         }
-        number("}, \"field-rho\": ", advance.fieldRho);
+        out_ << '}';
+        if (advance.coloured) {
+            square(advance);
+        }
+        number(", \"field-rho\": ", advance.fieldRho);
         number(", \"rho\": ", advance.rho);
         point(", \"c\": ", advance.ideal);
         number(", \"radius\": ", advance.searchRadius);
@@ -70,6 +95,12 @@ class TraceWriter {
         return advance.events.empty() || advance.events.front().step != Step::TakeBase ? 0U
                                                                                        : advance.events.front().equal;
     }
+    /// Writes what an advance of the two-coloured front has taken and made.
+    void square(const AdvanceExplanation &advance) {
+        out_ << ", \"diagonal\": " << (advance.diagonal ? "true" : "false") << ", \"row\": " << advance.row
+             << ", \"square\": \"" << squareWord(advance.square)
+             << "\", \"forced\": " << (advance.forced ? "true" : "false");
+    }
     void candidate(const CandidateTrace &candidate) {
         point("{\"at\": ", candidate.position);
         out_ << ", \"node\": ";
@@ -82,7 +113,19 @@ class TraceWriter {
         number(", \"delta-ac\": ", candidate.deltaAC);
         number(", \"delta-cb\": ", candidate.deltaCB);
         number(", \"score\": ", candidate.score);
-        out_ << ", \"verdict\": \"" << wordOf(candidate.verdict) << "\"}";
+        out_ << ", \"verdict\": \"" << wordOf(candidate.verdict) << '"';
+        if (candidate.square != SquareKind::None) {
+            out_ << ", \"square\": \"" << squareWord(candidate.square) << "\", \"over\": [";
+            json_.list(candidate.over, ", ", [&](Vec2 place) { json_.point(place); });
+            out_ << ']';
+        }
+        if (candidate.square == SquareKind::Opening || candidate.square == SquareKind::Closing) {
+            point(", \"second\": ", candidate.second);
+        }
+        if (candidate.colour >= 0) {
+            out_ << ", \"colour\": " << candidate.colour;
+        }
+        out_ << '}';
     }
     void test(const TestTrace &test) {
         point("{\"from\": ", test.candidateFrom);
@@ -108,13 +151,12 @@ class TraceWriter {
 } // namespace
 
 Status writeTrace(MeshingJob job, std::optional<std::uint64_t> steps, TextWriter &out, const Progress &progress) {
-    if (Diagnostics refusal = refusalOfQuads(job.options, "a trace"); !refusal.empty()) {
-        return refusal;
-    }
     job.options.improve = ImproveLevel::None;
     job.options.order = ElementOrder::First;
     const std::string_view method = wordOf(job.options.method), grid = wordOf(job.options.grid);
-    const FrontRules rules = job.options.method == Method::Classic ? job.options.rules : FrontRules();
+    const std::string_view elements = wordOf(job.options.elements);
+    const bool classic = job.options.method == Method::Classic && !makesQuads(job.options);
+    const FrontRules rules = classic ? job.options.rules : FrontRules();
     Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
     if (!stepper) {
         return stepper.faults();
@@ -122,7 +164,7 @@ Status writeTrace(MeshingJob job, std::optional<std::uint64_t> steps, TextWriter
     const std::uint64_t last = steps.value_or(std::numeric_limits<std::uint64_t>::max());
     TraceWriter trace(*stepper, out);
     out << "{\"format\": \"forefront-trace\", \"version\": 1, \"method\": \"" << method << "\", \"grid\": \"" << grid
-        << "\",\n";
+        << "\", \"elements\": \"" << elements << "\",\n";
     trace.rules(rules);
     trace.boundary();
     out << ",\n\"advances\": [";

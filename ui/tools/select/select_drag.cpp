@@ -252,11 +252,10 @@ Result<Document> SelectTool::moved(Vec2 to) const {
         const SizeSource &source = start_->spacing.sources[grabbed_.source.source];
         return replaceSource(*start_, grabbed_.source.source, withMovedPart(source, grabbed_.source.part, to));
     }
-    if (grabbed_.kind == Hit::Kind::Control) {
-        return moveControl(*start_, grabbed_.control, to, alone_);
-    }
-    Result<Document> next = moveSelection(*start_, moving_, to - grabbed_.at);
-    return next && carriesJoints() ? startJoints_->carry(*next) : next;
+    const Result<Document> next = grabbed_.kind == Hit::Kind::Control
+                                      ? moveControl(*start_, grabbed_.control, to, alone_)
+                                      : moveSelection(*start_, moving_, to - grabbed_.at);
+    return next && !alone_ ? startJoints_->carry(*next) : next;
 }
 
 const std::shared_ptr<const Joints> &SelectTool::joints(const Shell &context) const {
@@ -274,10 +273,6 @@ Document SelectTool::constrained(const Document &moved) {
         drag.emplace(start_, leaves ? nodesMovedWith(*start_, moving_) : std::set<NodeRef>());
     }
     return drag->carry(moved);
-}
-
-bool SelectTool::carriesJoints() const {
-    return !alone_ && grabbed_.kind != Hit::Kind::Control;
 }
 
 } // namespace forefront

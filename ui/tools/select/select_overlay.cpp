@@ -301,7 +301,7 @@ std::string SelectTool::statusText(const Shell &context) const {
                    : name + "click to select it, Delete to remove it";
     }
     if (over_ && hover_.kind == Hit::Kind::Control) {
-        return "Drag the control point. Alt: without the opposite one, Shift: angle steps";
+        return "Drag the control point. Alt: without the opposite one and neighbours, Shift: angle steps";
     }
     if (over_ && hover_.kind == Hit::Kind::Transform) {
         return TransformHandles::statusText(hover_.transform);
@@ -312,7 +312,8 @@ std::string SelectTool::statusText(const Shell &context) const {
                    : "Click to select the shape, drag to move it, double-click to insert a node";
     }
     if (over_ && hover_.kind == Hit::Kind::Node) {
-        return "Drag to move the node and those joined with it, Alt-drag to detach it, Delete to remove it";
+        return "Drag to move the node and those joined with it; on the side of another shape it slides along. "
+               "Alt-drag to detach it, Delete to remove it";
     }
     return "Click or drag a box (Alt: lasso) to select, drag to move, double-click a segment to insert a node";
 }

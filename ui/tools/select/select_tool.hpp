@@ -110,8 +110,6 @@ class SelectTool final : public Tool {
     void endDrag();
     /// Applies the constraints of the document where the drag began to a step of it.
     Document constrained(const Document &moved);
-    /// Returns true if what is dragged takes along what is joined with it.
-    bool carriesJoints() const;
     std::string moveLabel() const;
     void drawHandles(CanvasPainter &painter, Shell &context) const;
     /// Returns for each handle of a shape whether it is marked as joined; those after the list are not.

@@ -13,7 +13,7 @@
 namespace forefront {
 
 DocumentExaminer::DocumentExaminer(BackgroundList &list)
-    : worker_(list, answer, {}, LeavableThread::kForever, NewsPace::WithPreview) {}
+    : worker_(list, answer, {}, LeavableThread::kForever, NewsPace::WithPreview), layers_(list) {}
 
 void DocumentExaminer::submit(std::shared_ptr<SharedDomain> drawn, std::uint64_t revision,
                               std::shared_ptr<SharedSpacing> spacing) {
@@ -28,6 +28,7 @@ void DocumentExaminer::submit(std::shared_ptr<SharedDomain> drawn, std::uint64_t
 
 void DocumentExaminer::abandon() {
     worker_.cancel();
+    layers_.abandon();
     wanted_.revision = preview()->revision;
     if (worker_.now().rasterNumber != wanted_.raster.number || raster()->revision != wanted_.revision) {
         worker_.submit(wanted_); // of the preview that is shown
@@ -91,6 +92,9 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Request &
     const bool valid = preview->faults.empty();
     if (domain->segments.size() <= kMaxMapped || !domain->regionMarkers.empty()) {
         preview->faces = valid ? std::make_shared<const FaceMap>(domain, faces) : repairedFaceMap(*domain, stop);
+    }
+    for (std::size_t k = 0; valid && k < job->mapped.size(); ++k) {
+        preview->mapped[job->mapped[k].region] = mappedOutlines(job->mapped[k], *domain, faces);
     }
     Progress progress;
     progress.stop = stop;

@@ -5,10 +5,13 @@
 #include "core/drawing/picking/face_map.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/mapped/mapped_faces.hpp"
 #include "core/engine/spacing/shared_spacing.hpp"
 #include "ui/background/latest.hpp"
+#include "ui/workspace/document/layer_planner.hpp"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <stop_token>
 #include <vector>
@@ -26,8 +29,9 @@ struct DocumentPreview {
     Diagnostics faults;                          ///< in the domain and the spacing
     std::shared_ptr<const FaceMap> faces;        ///< of the domain; null: none, or it has too many segments
     std::shared_ptr<const SketchState> sketch;   ///< null: the document has no constraints
-    double estimatedElements = 0.0;              ///< see estimateElements(); 0: unknown
-    double largestSpacing = 0.0;                 ///< found in the faces of the domain; 0: unknown
+    std::map<std::int32_t, std::vector<MappedOutline>> mapped; ///< faces to be filled by rows, by region
+    double estimatedElements = 0.0;                            ///< see estimateElements(); 0: unknown
+    double largestSpacing = 0.0;                               ///< found in the faces of the domain; 0: unknown
 };
 
 /// ρ sampled at the cell centres of a lattice over a box, row by row from the bottom; 0 outside the field.
@@ -57,6 +61,9 @@ class DocumentExaminer {
     /// Returns the preview and the raster fetched last; never null.
     const std::shared_ptr<const DocumentPreview> &preview() const { return worker_.now().preview; }
     const std::shared_ptr<const SpacingRaster> &raster() const { return worker_.now().raster; }
+    /// Plans the boundary layers of the document, apart from its preview.
+    LayerPlanner &layers() { return layers_; }
+    const LayerPlanner &layers() const { return layers_; }
 
   private:
     struct RasterRequest {
@@ -80,6 +87,7 @@ class DocumentExaminer {
 
     Request wanted_;
     Latest<Request, Answer> worker_;
+    LayerPlanner layers_;
 };
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/session/session_mode.hpp"
 #include "core/engine/session/snapshot.hpp"
 #include "core/files/source/file_stamp.hpp"
 #include "core/teaching/lesson/answers.hpp"
@@ -24,12 +25,12 @@ struct LessonEntry {
     std::string id; ///< name of its file without extension, or the path of a user's file; key of its progress
     std::filesystem::path file;
     std::shared_ptr<const Lesson> lesson;
-    std::size_t textHash = 0; ///< of its file
+    std::string edition; ///< differs between versions of its file and drawings
 };
 
 /// The lesson being read, its page and the answers given there.
 struct OpenLesson {
-    enum class Reply : std::uint8_t { None, Wrong, Right };
+    enum class Reply : std::uint8_t { None, Wrong, Right, Shown };
 
     LessonEntry entry;
     std::size_t page = 0;
@@ -39,6 +40,10 @@ struct OpenLesson {
     std::string complaint;             ///< why the text typed cannot be an answer; empty: it can
     std::string hint;                  ///< after the last answer, if it is wrong; may be empty
     bool shown = false;                ///< Show me has led to the answer
+    std::string before;                ///< how the task was done when the page was shown before; empty: it was not
+    bool restored = false;             ///< the answer given before is shown, if there is one
+    bool fresh = false;                ///< the page is shown anew, from its top
+    int framesToReply = 0;             ///< frames in which the pane still scrolls to the reply
     std::optional<std::size_t> tried;  ///< the wrong candidate that was chosen last for a task
     bool focus = false;                ///< move the keyboard to the field for the number
     bool settled = false;              ///< the run has reached the position of the page
@@ -54,7 +59,10 @@ struct OpenLesson {
     WorkspaceKind workspaceBefore = WorkspaceKind::Draw;
     bool panelsBefore = true;
     ColourChoice coloursBefore;
+    Granularity unitBefore = Granularity::Advance; ///< of the steps along the timeline
 
+    /// Returns true if the question no longer needs an answer.
+    bool isSolved() const { return reply == Reply::Right || reply == Reply::Shown; }
     const LessonPage &now() const { return entry.lesson->pages[page]; }
 };
 
@@ -67,11 +75,10 @@ struct KeptDrawing {
     bool dirty = false;
 };
 
-/// The answers of the learner to a lesson since the program started.
+/// The answers of the learner to a lesson.
 struct LearnerAnswers {
     LessonAnswers given;
-    LessonEntry lesson; ///< that they belong to
-    bool saved = true;  ///< as a file
+    bool saved = false; ///< as a file of the learner
 };
 
 /// The pane of lessons: the list of lessons, or the one being read.
@@ -81,7 +88,10 @@ struct LessonRoom {
     std::vector<LessonEntry> list;
     std::optional<OpenLesson> open;
     std::optional<KeptDrawing> kept;               ///< comes back when the lesson is closed
+    std::filesystem::path folder;                  ///< where answers are kept, a file for each lesson; empty: nowhere
     std::map<std::string, LearnerAnswers> answers; ///< by id of the lesson
+    std::set<std::string> looked;                  ///< ids of the lessons whose kept answers have been looked for
+    std::string last;                              ///< id of the lesson opened last; empty: none
     std::uint64_t drawingLoaded = 0; ///< DocumentStore::loads() of the last drawing that a lesson brought; 0: none
 };
 

@@ -2,38 +2,11 @@
 
 #include "ui/widgets/widgets.hpp"
 
-#include <array>
 #include <cstddef>
 
 namespace forefront {
 
 namespace {
-
-constexpr std::array<const char *, kStepCount> kShort{
-    "Boundary becomes front \xce\x93",
-    "Take base segment AB",
-    "Evaluate \xcf\x81 at AB",
-    "Place ideal point C",
-    "Find candidate nodes",
-    "Score \xce\xb1 \xc2\xb7 \xce\xb4(AC) \xc2\xb7 \xce\xb4(CB)",
-    "Sort; drop C if too near",
-    "Test AC, CB against \xce\x93",
-    "Store ABC, update \xce\x93",
-    "Stop when \xce\x93 = \xe2\x88\x85",
-};
-
-constexpr std::array<const char *, kStepCount> kShortOfSquares{
-    "Boundary in two colours: \xce\x93",
-    "Take a diagonal, else leg AB",
-    "Evaluate \xcf\x81 at AB",
-    "Place corners of a square",
-    "Square, else search",
-    "Score \xc2\xbd square \xc2\xb7 \xce\xb4 \xc2\xb7 \xce\xb4",
-    "Sort; drop one colour, too near",
-    "Test new sides against \xce\x93",
-    "Store the square, update \xce\x93",
-    "\xce\x93 = \xe2\x88\x85: drop diagonals",
-};
 
 /// Returns the candidate whose score is shown: the accepted one once it is known, else the one scored last.
 const CandidateTrace *scored(const Moment &moment) {
@@ -60,20 +33,6 @@ std::string workText(const Moment &moment, Step step) {
 }
 
 } // namespace
-
-std::string stepLine(Step step, const FrontRules *rules) {
-    if (step == Step::TakeBase && rules != nullptr) {
-        return "Take " + std::string(wordOf(rules->base)) + " segment AB";
-    }
-    if (step == Step::Score && rules != nullptr && !(rules->shapeWeight == 1.0 && rules->spacingWeight == 1.0)) {
-        return "Score " + scoreFormula(*rules);
-    }
-    return kShort[static_cast<std::size_t>(step) - 1];
-}
-
-std::string squareStepLine(Step step) {
-    return kShortOfSquares[static_cast<std::size_t>(step) - 1];
-}
 
 std::string stepFinding(const Moment &moment, Step step) {
     if (!moment || moment.step < step) {
