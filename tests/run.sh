@@ -9,9 +9,8 @@
 #
 #   --quick      skip the sanitizers and clang-tidy; unit tests run in the optimised build
 #   --thorough   run unit tests in both builds, and the editor's tests with the sanitizers too; compile every source
-#                alone; mesh 2,000 random domains with second order; read exported files with OpenFOAM, FEniCSx, deal.II
-#                and QGIS where they are installed, and renew their records in tests/readers; install the Debian
-#                packages into a bare root. Takes much longer
+#                alone; read exported files with OpenFOAM, FEniCSx, deal.II and QGIS where they are installed, and
+#                renew their records in tests/readers; install the Debian packages into a bare root. Takes much longer
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
@@ -22,10 +21,9 @@ case ${1-} in
 --quick) quick=yes ;;
 --thorough)
     thorough=yes
-    export FOREFRONT_ORDER_DOMAINS=2000
     ;;
 -h | --help)
-    sed -n '2,15s/^# \{0,1\}//p' "$0"
+    sed -n '2,14s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 *)

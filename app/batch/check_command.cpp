@@ -55,6 +55,8 @@ Examples:
   forefront check bay.msh --max-valence 8 --max-growth 2 --min-across 3 --min-island-area 500
         is it fit for a model of water? At most 8 elements about a node, neighbours of similar areas, 3 elements across
         each channel, no tiny islands
+  forefront check wing.msh --max-aspect 2000 --min-scaled-jacobian 0.2
+        are its boundary layers not too thin for their length, and no corner too sharp?
   forefront check plate.msh --stats plate.json
         the verdict, the sizes of regions and boundary parts, and the quality as JSON, for scripts
   forefront check plate.msh --measures

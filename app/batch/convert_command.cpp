@@ -167,7 +167,7 @@ Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const 
                      "add --triangles, which makes all of them triangles of first order");
     }
     SecondOrderReport report;
-    return raiseOrder(mesh, arguments.quadNodes.value_or(QuadNodes::Eight), {}, report, progress)
+    return raiseOrder(mesh, {.quadNodes = arguments.quadNodes.value_or(QuadNodes::Eight)}, report, progress)
                ? Diagnostics{}
                : cancelled("converting");
 }

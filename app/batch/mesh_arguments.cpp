@@ -54,7 +54,7 @@ Examples:
         triangles of 6 nodes, whose edges follow the curves of the domain
   forefront mesh part.dxf -o part.inp --size 2 --elements quads --order 2
         layers of a drawing as boundary parts: LOAD becomes the node set LOAD and the surface S_LOAD in the Abaqus input.
-        The command "ccx job" solves a file job.inp such as this, in N and mm; "cgx job.frd" shows the stresses:
+        The command "ccx job" solves a file job.inp such as this, in N and mm:
           *INCLUDE, INPUT=part.inp
           *MATERIAL, NAME=STEEL
           *ELASTIC
@@ -73,6 +73,7 @@ Examples:
           *EL FILE
           S
           *END STEP
+        "cgx -b show.fbd" shows the von Mises stress, with the lines read job.frd, ds 2 e 7, plot fv all and rot -z in show.fbd
   forefront mesh plate.json -o plate.foam
         a case of OpenFOAM, one cell thick
   forefront mesh lake.geojson -o lake.14 --elevation depth.asc

@@ -301,6 +301,7 @@ void addLeastAngle(double asked, const LeastAngleReport &angles, JsonWriter &jso
 void addOrder(const SecondOrderReport &order, JsonWriter &json) {
     json.key("second_order").beginObject();
     json.member("curved_edges", order.curvedEdges);
+    json.member("moved_corners", order.movedCorners);
     json.key("straight_edges").beginArray();
     for (const StraightEdge &edge : order.straight) {
         json.beginObject().member("x", edge.at.x).member("y", edge.at.y);

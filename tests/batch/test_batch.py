@@ -1052,6 +1052,33 @@ class Imports(Case):
             sums[name] = sums.get(name, 0) + math.dist(nodes[int(a)], nodes[int(b)])
         return sums
 
+    def test_a_part_of_lines_and_arcs_keeps_area_layers_and_curves(self):
+        def entity(kind, layer, **groups):
+            return [("0", kind), ("8", layer), *((code[1:], value) for code, value in groups.items())]
+        part = [[("0", "SECTION"), ("2", "HEADER"), ("9", "$INSUNITS"), ("70", 4), ("0", "ENDSEC"), ("0", "SECTION"),
+                 ("2", "ENTITIES")]]
+        corners = [(105, 0), (0, 0), (0, 100), (30, 100), (30, 50)]
+        lines = [*zip(corners, corners[1:]), ((50, 30), (105, 30))]
+        part += [entity("LINE", "FIXED" if k == 1 else "EDGE", _10=a[0], _20=a[1], _11=b[0], _21=b[1])
+                 for k, (a, b) in enumerate(lines)]
+        part += [entity("ARC", "EDGE", _10=50, _20=50, _40=20, _50=180, _51=270),
+                 entity("ARC", "EDGE", _10=105, _20=15, _40=15, _50=270, _51=90),
+                 entity("CIRCLE", "PIN", _10=105, _20=15, _40=8), [("0", "ENDSEC"), ("0", "EOF")]]
+        self.write("part.dxf", "".join(f"{code}\n{value}\n" for groups in part for code, value in groups))
+        stats = self.stats("part.dxf", "-o", "part.msh", "--segments-per-turn", "400")
+        area = 3000 + 2250 + 0.5 * math.pi * 15**2 + (1 - 0.25 * math.pi) * 20**2 - math.pi * 8**2
+        self.assertAlmostEqual(stats["area"], area, delta=0.05)  # chords: 1e-4 of the areas of the arcs
+        self.assertEqual({boundary["name"] for boundary in stats["boundaries"]}, {"FIXED", "EDGE", "PIN"})
+        blocks = re.findall(r"\$(\w+)\n(.*?)\$End", self.read("part.msh"), re.S)
+        rows = {name: [line.split() for line in text.splitlines()] for name, text in blocks}
+        [pin] = [row[1] for row in rows["PhysicalNames"] if row[-1] == '"PIN"']
+        nodes = {row[0]: (float(row[1]), float(row[2])) for row in rows["Nodes"][1:]}
+        edges = [row for row in rows["Elements"][1:] if row[1] == "1" and row[3] == pin]
+        self.assertGreater(len(edges), 300)
+        for row in edges:
+            for node in row[-2:]:
+                self.assertAlmostEqual(math.dist(nodes[node], (105, 15)), 8, delta=1e-9)
+
     def test_an_inlet_of_one_edge_stays_one_edge(self):
         self.write("part.msh", self.MSH)
         self.call("mesh", "part.msh", "-o", "out.msh", "--size", "1")

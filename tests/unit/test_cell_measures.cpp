@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace forefront;
@@ -50,16 +51,19 @@ TEST_CASE("Cell measures: squares, rectangles and rhombi have the values of thei
     CHECK(anglesOf(square).smallest == doctest::Approx(90.0));
     CHECK(anglesOf(square).largest == doctest::Approx(90.0));
     CHECK(twiceArea(square) == doctest::Approx(8.0));
+    CHECK(aspectRatio(square) == doctest::Approx(1.0));
     CHECK(square.centre() == Vec2{2, 2});
     for (const double ratio : {0.1, 0.5, 3.0}) {
         const PlacedCell rectangle = quadrilateralAt({{{0, 0}, {ratio, 0}, {ratio, 1}, {0, 1}}});
         CHECK(shapeFactor(rectangle) == doctest::Approx(2.0 * ratio / (1.0 + ratio * ratio)));
         CHECK(scaledJacobian(rectangle) == doctest::Approx(1.0));
+        CHECK(aspectRatio(rectangle) == doctest::Approx(std::max(ratio, 1.0 / ratio)));
     }
     const double angle = std::numbers::pi / 6.0;
     const Vec2 side{std::cos(angle), std::sin(angle)};
     const PlacedCell rhombus = quadrilateralAt({{{0, 0}, {1, 0}, Vec2{1, 0} + side, side}});
     CHECK(scaledJacobian(rhombus) == doctest::Approx(0.5));
+    CHECK(aspectRatio(rhombus) == doctest::Approx(1.0));
     CHECK(anglesOf(rhombus).smallest == doctest::Approx(30.0));
     CHECK(anglesOf(rhombus).largest == doctest::Approx(150.0));
 }
@@ -94,6 +98,9 @@ TEST_CASE("Cell measures: the scaled Jacobian of a triangle is the sine of its m
     }
     CHECK(scaledJacobian(triangleAt({0, 0}, {1, 0}, {0.5, 0.5 * std::numbers::sqrt3})) == doctest::Approx(1.0));
     CHECK(scaledJacobian(triangleAt({0, 0}, {1, 0}, {1, 0})) == 0.0);
+    CHECK(aspectRatio(triangleAt({0, 0}, {1, 0}, {0.5, 0.5 * std::numbers::sqrt3})) == doctest::Approx(1.0));
+    CHECK(aspectRatio(triangleAt({0, 0}, {10, 0}, {4, 0.1})) == doctest::Approx(50.0 * std::numbers::sqrt3));
+    CHECK(aspectRatio(triangleAt({0, 0}, {1, 0}, {2, 0})) == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("Cell measures: straight edges of second order change nothing, curved ones lower the scaled Jacobian") {
@@ -230,6 +237,11 @@ TEST_CASE("Cell measures: limits name quadrilaterals and the scaled Jacobian") {
     CHECK(verdicts[0].worst == doctest::Approx(std::sqrt(0.5)));
     CHECK(toString(verdicts[0]) ==
           "minimum scaled Jacobian 0.9: violated by 1 of 1 elements, worst 0.7071 at (1, 0.5)");
+    MeshLimits thin;
+    thin[MeshLimit::MaxAspect] = 3.0;
+    maker.mesh.nodes = {{0, 0}, {4, 0}, {4, 1}, {0, 1}};
+    CHECK(toString(checkLimits(maker.mesh, thin, nullptr)[0]) ==
+          "maximum aspect ratio 3: violated by 1 of 1 elements, worst 4 at (2, 0.5)");
     CHECK(limitFault(MeshLimit::MinScaledJacobian, 1.5) == "expected a number from 0 to 1, got 1.5");
 }
 

@@ -153,11 +153,15 @@ void cornerLists(Shell &context, std::int32_t region, const CornerChoice &corner
             }
         } else {
             const std::uint32_t node = nodes[static_cast<std::size_t>(choice - first)];
-            next.resize(std::max(next.size(), c + 1), node);
-            if (const auto other = std::ranges::find(next, node); other != next.end() && c < chosen.size()) {
-                *other = chosen[c]; // the two change places
+            const auto other = std::ranges::find(next, node);
+            if (c < next.size()) {
+                if (other != next.end()) {
+                    *other = next[c]; // the two change places
+                }
+                next[c] = node;
+            } else if (other == next.end()) {
+                next.push_back(node);
             }
-            next[c] = node;
         }
         applyCorners(context, region, corners.with(next));
         return;

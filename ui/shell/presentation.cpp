@@ -1,6 +1,7 @@
 #include "ui/shell/presentation.hpp"
 
 #include "core/teaching/moment/moment.hpp"
+#include "core/teaching/moment/short_texts.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/style/icons.hpp"

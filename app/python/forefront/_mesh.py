@@ -118,7 +118,7 @@ class Mesh(_core.MeshBase):
         """Returns the values of a measure of each element, edge or node.
 
         Of elements: 'alpha' (shape factor, 1 for an equilateral triangle), 'scaled-jacobian', 'min-angle' and
-        'max-angle' (degrees), 'area', 'area-ratio', 'region', 'birth'. Of edges: 'length', 'size' and 'delta' (length
+        'max-angle' (degrees), 'aspect' (length over height), 'area', 'area-ratio', 'region', 'birth'. Of edges: 'length', 'size' and 'delta' (length
         compared with the node spacing, which a mesh that was read gets from :meth:`with_size`). Also 'across',
         'island-area' and 'valence'.
         """
@@ -131,8 +131,8 @@ class Mesh(_core.MeshBase):
     def check(self, domain: Optional[Domain] = None, **limits: float) -> List[Fault]:
         """Checks that the mesh is valid and, if it is given, fits its domain; returns all faults and notes.
 
-        limits: such as min_angle=25, max_angle, min_alpha, min_scaled_jacobian, max_growth, min_length, max_length,
-        min_delta, min_across, max_valence. Each place that violates one is a fault. min_delta needs a node spacing: a
+        limits: such as min_angle=25, max_angle, min_alpha, min_scaled_jacobian, max_aspect, max_growth, min_length,
+        max_length, min_delta, min_across, max_valence. Each place that violates one is a fault. min_delta needs a node spacing: a
         mesh that was read gets it from :meth:`with_size`.
         """
         return self._check(domain, limits_of(limits))

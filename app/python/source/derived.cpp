@@ -65,7 +65,7 @@ PythonMesh raisedMesh(const PythonMesh &self, int quadNodes, const py::object &c
     SecondOrderReport report;
     const Progress progress = progressOf(callback);
     const QuadNodes nodes = quadNodes == 9 ? QuadNodes::Nine : QuadNodes::Eight;
-    if (!withoutGil([&] { return raiseOrder(mesh, nodes, {}, report, progress); })) {
+    if (!withoutGil([&] { return raiseOrder(mesh, {.quadNodes = nodes}, report, progress); })) {
         raiseFaults(cancelled("raising the order"));
     }
     PythonMesh result = derivedFrom(self, std::move(mesh));

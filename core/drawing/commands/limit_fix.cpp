@@ -109,6 +109,8 @@ std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verd
         return fixAngle(document, verdict.bound);
     case MeshLimit::MaxAngle:
         return fixAngle(document, 0.5 * (180.0 - verdict.bound));
+    case MeshLimit::MaxAspect: // the height of layers is given
+        return document.layers.empty() ? fixByImproving(document) : std::nullopt;
     case MeshLimit::MinIslandArea:
         return std::nullopt; // islands are drawn
     default:

@@ -16,6 +16,8 @@ constexpr std::array<LimitInfo, wordsOf<MeshLimit>().size()> kLimitInfos = {{
     {"minimum \xce\xb1", "minAlpha", Measure::ShapeFactor, true, 0.0, 1.0, "Smallest shape factor \xce\xb1 allowed"},
     {"minimum scaled Jacobian", "minScaledJacobian", Measure::ScaledJacobian, true, 0.0, 1.0,
      "Smallest scaled Jacobian allowed: 1 for equilateral triangles and squares, 0 for flat elements"},
+    {"maximum aspect ratio", "maxAspect", Measure::Aspect, false, 1.0, 1e9,
+     "Largest ratio allowed of the length of an element to its height, such as along boundary layers"},
     {"maximum growth", "maxGrowth", Measure::AreaRatio, false, 1.0, 1e6,
      "Largest ratio allowed between the areas of elements that share an edge"},
     {"minimum edge length", "minLength", Measure::Length, true, kTiny, kNoMaximum, "Shortest edge allowed"},

@@ -23,6 +23,7 @@ enum class MeshLimit : std::uint8_t {
     MaxAngle,
     MinAlpha,
     MinScaledJacobian,
+    MaxAspect,
     MaxGrowth,
     MinLength,
     MaxLength,
@@ -36,9 +37,9 @@ enum class MeshLimit : std::uint8_t {
 template <>
 struct EnumWords<MeshLimit> {
     static constexpr auto kLast = MeshLimit::MinIslandArea;
-    static constexpr std::array<std::string_view, 11> kList = {
-        "min-angle",  "max-angle", "min-alpha",  "min-scaled-jacobian", "max-growth",     "min-length",
-        "max-length", "min-delta", "min-across", "max-valence",         "min-island-area"};
+    static constexpr std::array<std::string_view, 12> kList = {
+        "min-angle",  "max-angle",  "min-alpha", "min-scaled-jacobian", "max-aspect",  "max-growth",
+        "min-length", "max-length", "min-delta", "min-across",          "max-valence", "min-island-area"};
 };
 
 /// The description of a limit.

@@ -26,6 +26,9 @@ constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kMeasureInfos = {{
      "Smallest angle of each element; 0 if it is flat, inverted or not convex"},
     {"Maximum angle", "max \xe2\x88\xa0", "\xc2\xb0", MeshPart::Elements, BadEnd::High, false, 60.0, 180.0,
      "Largest angle of each element; 180 if it is flat, inverted or not convex"},
+    {"Aspect ratio", "aspect", "", MeshPart::Elements, BadEnd::High, true, 1.0, kUnbounded,
+     "Length over height of each element, such as those of boundary layers: of a quadrilateral, between the middles of "
+     "opposite edges; of a triangle, its longest edge over its height, 1 if it is equilateral"},
     {"Area", "area", "", MeshPart::Elements, BadEnd::None, true, -kUnbounded, kUnbounded,
      "Area of each element; negative if it is inverted"},
     {"Area ratio", "growth", "", MeshPart::Elements, BadEnd::High, true, 1.0, kUnbounded,
@@ -160,6 +163,8 @@ std::vector<double> measureValues(Measure measure, const MeshView &mesh, const M
         return perElement(mesh, [](const PlacedCell &cell) { return anglesOf(cell).smallest; });
     case Measure::MaxAngle:
         return perElement(mesh, [](const PlacedCell &cell) { return anglesOf(cell).largest; });
+    case Measure::Aspect:
+        return perElement(mesh, aspectRatio);
     case Measure::Area:
         return perElement(mesh, [](const PlacedCell &cell) { return 0.5 * twiceArea(cell); });
     case Measure::AreaRatio:

@@ -34,6 +34,7 @@ enum class Measure : std::uint8_t {
     ScaledJacobian,
     MinAngle,
     MaxAngle,
+    Aspect,
     Area,
     AreaRatio,
     Length,
@@ -49,9 +50,9 @@ enum class Measure : std::uint8_t {
 template <>
 struct EnumWords<Measure> {
     static constexpr auto kLast = Measure::Birth;
-    static constexpr std::array<std::string_view, 14> kList = {
-        "alpha", "scaled-jacobian", "min-angle", "max-angle",   "area",    "area-ratio", "length",
-        "size",  "delta",           "across",    "island-area", "valence", "region",     "birth"};
+    static constexpr std::array<std::string_view, 15> kList = {
+        "alpha", "scaled-jacobian", "min-angle", "max-angle",   "aspect",  "area",   "area-ratio", "length",
+        "size",  "delta",           "across",    "island-area", "valence", "region", "birth"};
 };
 
 /// The end of a measure's range at which values are bad.

@@ -125,6 +125,20 @@ AngleRange anglesOf(const PlacedCell &cell) {
     return range;
 }
 
+double aspectRatio(const PlacedCell &cell) {
+    const auto &n = cell.nodes;
+    constexpr double kFlat = std::numeric_limits<double>::infinity();
+    if (cell.traits().corners == 3) {
+        const double longest =
+            std::max({distanceSquared(n[0], n[1]), distanceSquared(n[1], n[2]), distanceSquared(n[2], n[0])});
+        const double twice = std::abs(cross(n[1] - n[0], n[2] - n[0]));
+        return twice > 0.0 ? 0.5 * std::numbers::sqrt3 * longest / twice : kFlat;
+    }
+    const auto [shorter, longer] = std::minmax(
+        {distance(midpoint(n[0], n[1]), midpoint(n[2], n[3])), distance(midpoint(n[1], n[2]), midpoint(n[3], n[0]))});
+    return shorter > 0.0 ? longer / shorter : kFlat;
+}
+
 double scaledJacobian(const PlacedCell &cell) {
     const double ofCorners = scaledJacobianOfCorners(cell);
     if (!(ofCorners > 0.0) || cell.isStraight()) {

@@ -72,6 +72,11 @@ struct AngleRange {
 /// Returns the extreme angles; 0 and 180 for an element that is flat, inverted or not convex.
 AngleRange anglesOf(const PlacedCell &cell);
 
+/// Returns the aspect ratio of an element, from its corners. For a quadrilateral: the longer distance between middles
+/// of opposite edges over the shorter, as the sides of a rectangle. For a triangle: the longest edge over the height
+/// above it, times √3/2: 1 if it is equilateral. Infinity if it is flat.
+double aspectRatio(const PlacedCell &cell);
+
 /// Returns the scaled Jacobian of an element: the minimum over its corners of the cross product of the two edges there,
 /// divided by their lengths; times 2/√3 for triangles. It is 1 for squares and equilateral triangles, 0 if a corner is
 /// flat, and not positive if the map of the element is not one to one (The Verdict Library Reference Manual, C. J.

@@ -3,6 +3,7 @@
 #include "core/engine/base/assert.hpp"
 #include "core/engine/geometry/half_length.hpp"
 #include "core/engine/mesh/edge_table.hpp"
+#include "core/engine/mesh/even_jacobians.hpp"
 #include "core/engine/mesh/jacobian.hpp"
 #include "core/engine/mesh/outer_bulges.hpp"
 #include "core/engine/mesh/placed_cell.hpp"
@@ -27,7 +28,7 @@ CellKind secondOrderOf(CellKind kind, QuadNodes quadNodes) {
 /// The corners of a mesh and the places of the middle nodes of its edges, from which elements of second order are made.
 class MiddlePlaces {
   public:
-    explicit MiddlePlaces(const Mesh &mesh) : mesh_(mesh), view_(mesh), table_(view_) {
+    explicit MiddlePlaces(Mesh &mesh) : mesh_(mesh), view_(mesh), table_(view_) {
         ofSide_.resize(table_.halfEdges().count());
         table_.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
             for (const HalfEdge side : sides) {
@@ -37,7 +38,7 @@ class MiddlePlaces {
         });
     }
 
-    /// Moves the middles of edges along curves onto them. `chords`: as in raiseOrder().
+    /// Moves the middles of edges along curves onto them. `chords`: as in OrderRequest.
     bool bend(std::span<const std::size_t> chords, SecondOrderReport &report, const Progress &progress) {
         std::vector<bool> isChord(mesh_.edges.size(), false);
         for (const std::size_t edge : chords) {
@@ -62,6 +63,24 @@ class MiddlePlaces {
             }
         }
         return true;
+    }
+
+    /// Moves corners where Jacobian determinants vary too much. Returns false if it was cancelled.
+    bool even(const std::vector<bool> &movable, SecondOrderReport &report, const Progress &progress) {
+        std::vector<bool> curved(places_.size(), false);
+        for (const BentEdge &edge : bent_) {
+            curved[edge.middle] = true;
+        }
+        moved_ = evenJacobians({mesh_, table_, ofSide_, places_, curved}, movable, progress);
+        report.movedCorners = moved_.size();
+        return !progress.cancelled();
+    }
+
+    /// Moves corners back to where they were.
+    void undoMoves() {
+        for (const MovedCorner &corner : moved_) {
+            mesh_.nodes[index(corner.node)] = corner.from;
+        }
     }
 
     /// Straightens edges until all elements are valid and no edge meets another across the outside.
@@ -288,32 +307,36 @@ class MiddlePlaces {
         }
     }
 
-    const Mesh &mesh_;
+    Mesh &mesh_;
     MeshView view_;
     EdgeTable table_;
     std::vector<std::uint32_t> ofSide_; ///< per side of an element, the number of its middle
     std::vector<Vec2> places_;          ///< per middle
     std::vector<BentEdge> bent_;
     std::vector<std::pair<HalfEdge, std::uint32_t>> bentOfSide_; ///< sides of bent edges with the numbers of these
+    std::vector<MovedCorner> moved_;
 };
 
 } // namespace
 
-bool raiseOrder(Mesh &mesh, QuadNodes quadNodes, std::span<const std::size_t> chords, SecondOrderReport &report,
-                const Progress &progress) {
+bool raiseOrder(Mesh &mesh, const OrderRequest &request, SecondOrderReport &report, const Progress &progress) {
     FOREFRONT_ASSERT(!MeshView(mesh).hasSecondOrder());
     report = {};
     std::vector<CellBlock> blocks;
     {
         MiddlePlaces middles(mesh);
-        if (!middles.bend(chords, report, progress) || !middles.straighten(report, progress)) {
+        const bool done = middles.bend(request.chords, report, progress) &&
+                          (request.movable == nullptr || middles.even(*request.movable, report, progress)) &&
+                          middles.straighten(report, progress);
+        if (!done) {
+            middles.undoMoves();
             return false;
         }
-        blocks = middles.blocks(quadNodes);
+        blocks = middles.blocks(request.quadNodes);
         for (TaggedEdge &edge : mesh.edges) {
             edge.middle = middles.middleOf(edge);
         }
-        const std::vector<Vec2> places = middles.takePlaces(quadNodes);
+        const std::vector<Vec2> places = middles.takePlaces(request.quadNodes);
         mesh.nodes.insert(mesh.nodes.end(), places.begin(), places.end());
     }
     mesh.blocks = std::move(blocks);

@@ -60,6 +60,7 @@ struct StraightEdge {
 /// How a mesh got its second order.
 struct SecondOrderReport {
     std::size_t curvedEdges = 0;        ///< edges with their middle nodes on curves, off their chords
+    std::size_t movedCorners = 0;       ///< corners moved for more uniform Jacobian determinants
     std::vector<StraightEdge> straight; ///< edges along curves that are straight, by number of their middle nodes
 
     friend bool operator==(const SecondOrderReport &, const SecondOrderReport &) = default;
@@ -69,17 +70,25 @@ struct SecondOrderReport {
 /// element with straight edges, everywhere.
 inline constexpr double kLeastCurvedJacobian = 0.05;
 
+/// What raiseOrder() makes of a mesh. Refers to its parts.
+struct OrderRequest {
+    QuadNodes quadNodes = QuadNodes::Eight;
+    std::span<const std::size_t> chords = {}; ///< indices of tagged edges to be straight from the start
+    /// Per node, whether it may move where the Jacobian determinant of an element varies too much; null: none may. The
+    /// nodes of boundaries and tagged edges, and tagged nodes, stay in any case.
+    const std::vector<bool> *movable = nullptr;
+};
+
 /// Adds a node in the middle of each edge of a mesh whose elements are of first order, and one in the centre of each
 /// quadrilateral of 9 nodes. The corners keep their numbers; the middles of edges follow, then the centres. Both
 /// elements of an edge share its middle node, which halves the length of the curve that a tagged edge is a chord of
 /// (Mesh::edgeStretches), and else the edge. The centres are those of the same elements with 8 nodes.
 ///
-/// Where an element would fold, or nearly, its edge along a curve with the largest ratio of height to length becomes
+/// Where the Jacobian determinant of an element varies too much, movable corners move first; see evenJacobians(). Where
+/// an element would still fold, or nearly, its edge along a curve with the largest ratio of height to length becomes
 /// straight, until the Bernstein coefficients of the determinants of all elements prove them valid; see
-/// kLeastCurvedJacobian. So does an edge that would bulge over another across the outside of the mesh. `chords`:
-/// indices of tagged edges to be straight from the start. Returns false if it was cancelled; the mesh is then
-/// unchanged.
-bool raiseOrder(Mesh &mesh, QuadNodes quadNodes, std::span<const std::size_t> chords, SecondOrderReport &report,
-                const Progress &progress = {});
+/// kLeastCurvedJacobian. So does an edge that would bulge over another across the outside of the mesh. Returns false if
+/// it was cancelled; the mesh is then unchanged.
+bool raiseOrder(Mesh &mesh, const OrderRequest &request, SecondOrderReport &report, const Progress &progress = {});
 
 } // namespace forefront
