@@ -49,6 +49,7 @@ struct AdaptArguments {
     AdaptTarget target;
     std::optional<int> rounds;
     std::optional<double> maxElements;
+    Method method = Method::Fast;
     std::optional<std::filesystem::path> domain;
     DrawingArguments drawing; ///< of the domain
     std::vector<std::filesystem::path> outputs;
@@ -58,6 +59,7 @@ struct AdaptArguments {
 
     MeshingOptions options() const {
         MeshingOptions options;
+        options.method = method;
         applyMaxElements(maxElements, options);
         return options;
     }
@@ -304,6 +306,9 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
                    "maximum change of edge length per unit of distance (default 0.3)")
         ->check(positiveNumber())
         ->type_name("G");
+    addWordOption<Method>(app, "--method", arguments.method,
+                          "fast (default), or classic: S. H. Lo's ten steps, shortest segment first")
+        ->type_name("METHOD");
     addMaxElementsOption(app, arguments.maxElements);
     addUnitOption(app, arguments.form, "the unit of the domain, if it has one");
     app.add_option("--domain", arguments.domain, "domain to mesh; default: the area of the mesh, with its tags")

@@ -31,7 +31,8 @@ Examples:
         six advances event by event, with the view close to the front
   forefront film plate.json -o run.html --method classic
         a page that plays the run in a browser, forward and back, with the ten steps, the candidates and the steps of
-        the improvement; needs no network
+        the improvement; needs no network. A link to run.html#40 opens it after advance 40, #40.5 at event 5 of the
+        next one, and after the last of 100 advances #100.i3 at step 3 of the improvement, #100.improved at its end
 
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
@@ -124,7 +125,7 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
         ->excludes(from)
         ->excludes(steps);
     app.add_flag("--labels", arguments.labels,
-                 "also show A, B, C, the search circle, and the rank and score of each candidate");
+                 "also show A, B, C, the search circle, the rank, score and verdict of each candidate, and a legend");
     app.add_option("--frames", arguments.plan.frames,
                    "maximum number of frames, default 120; long runs skip advances, then steps")
         ->check(wholeNumberWithin(1, FilmPlan::kMaxFrames));

@@ -5,6 +5,7 @@
 #include "app/batch/outputs.hpp"
 #include "app/batch/run_arguments.hpp"
 #include "app/batch/standard_output.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "core/teaching/trace/trace_compare.hpp"
 #include "core/teaching/trace/trace_read.hpp"
@@ -83,6 +84,10 @@ int report(const TraceComparison &result, const SourceText &other, Method method
     const auto count = static_cast<unsigned long long>(result.advances);
     if (result.agree) {
         std::printf("the traces agree: %llu %s\n", count, result.advances == 1 ? "advance" : "advances");
+        if (result.otherTests > 0) {
+            std::printf("note: another test than ours rejects %s, first in %s\n",
+                        countText(result.otherTests, "candidate").c_str(), result.otherTest.c_str());
+        }
         return kDone;
     }
     const std::string place =

@@ -9,6 +9,7 @@ import sys
 
 nodes = []     # [x, y] by number
 front = []     # segments of the front, oldest first: [a, b, times deferred]; the unmeshed part is on the left of a-b
+advances = []  # what each advance did, for the trace
 element_count = 0
 
 
@@ -68,29 +69,32 @@ def update(base, node):
 
 
 def advance():
-    """One advance: returns its trace."""
+    """One advance. Its trace is in `advances` from the start, so that one that fails can be compared as far as it came."""
     global element_count
     base = take_base()
     a, b, deferred = front[base]
-    rho, c = ideal_point(nodes[a], nodes[b])
+    trace = {"base": {"a": nodes[a], "b": nodes[b]}}
+    advances.append(trace)
+    trace["rho"], trace["c"] = rho, c = ideal_point(nodes[a], nodes[b])
     radius = (1.75 if deferred else 1.2) * rho
-    trace = {"base": {"a": nodes[a], "b": nodes[b]}, "rho": rho, "c": c, "candidates": [], "elements": []}
-    for score, node, place in candidates(base, rho, c, radius):
-        found = "not-tried" if trace["elements"] else verdict(base, node, place)
-        trace["candidates"].append({"at": place, "score": score, "verdict": found})
-        if found == "accepted":
+    tried = candidates(base, rho, c, radius)
+    trace["candidates"] = [{"at": place, "score": score} for score, node, place in tried]
+    made = []
+    for candidate, (score, node, place) in zip(trace["candidates"], tried):
+        candidate["verdict"] = "not-tried" if made else verdict(base, node, place)
+        if candidate["verdict"] == "accepted":
             if node is None:
                 node = len(nodes)
                 nodes.append(place)
             update(base, node)
-            trace["elements"] = [[nodes[a], nodes[b], place]]
+            made = [[nodes[a], nodes[b], place]]
             element_count += 1
-    if not trace["elements"]:
+    trace["elements"] = made
+    if not made:
         if deferred:
             sys.exit(f"no triangle fits on {nodes[a]}-{nodes[b]}, not even at the second attempt")
         front[base][2] += 1
     trace["front"] = len(front)
-    return trace
 
 
 if __name__ == "__main__":
@@ -98,9 +102,10 @@ if __name__ == "__main__":
         boundary = json.load(file)["boundary"]
     nodes += boundary["nodes"]
     front += [[a, b, 0] for a, b in boundary["segments"]]
-    advances = []
-    while front and len(advances) < 10000:
-        advances.append(advance())
-    with open(sys.argv[2], "w") as file:
-        json.dump({"advances": advances}, file, indent=1)
-    print(f"{len(advances)} advances, {element_count} triangles, {len(nodes)} nodes")
+    try:
+        while front and len(advances) < 10000:
+            advance()
+    finally:  # a run that fails can be compared, too
+        with open(sys.argv[2], "w") as file:
+            json.dump({"advances": advances}, file, indent=1)
+        print(f"{sys.argv[2]}: {len(advances)} advances, {element_count} triangles, {len(nodes)} nodes")

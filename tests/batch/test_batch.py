@@ -1153,6 +1153,15 @@ class Imports(Case):
                       "latitudes",
                       self.call("mesh", "plate.poly", "-o", "a.msh", "--projection", "local", code=2).stderr)
 
+    def test_adapting_takes_the_method_of_the_front(self):
+        coarse = pathlib.Path(__file__).resolve().parents[2] / "assets/lessons/drawings/coarse.json"
+        self.call("mesh", coarse, "-o", "c.msh", "-q")
+        adapt = ("adapt", "c.msh", "--expression", "atan(2*(hypot(x-10,y-7)-4))", "--error", "0.2", "-o", "b.msh")
+        rounds = [re.findall(r"(\d+) elements", self.call(*adapt, *method).stdout)
+                  for method in ((), ("--method", "fast"), ("--method", "classic"))]
+        self.assertEqual(rounds[0], rounds[1])
+        self.assertEqual(rounds[2], ["154", "430", "754", "1144"])  # as lesson 9 and the Adapt panel say
+
     def test_options_without_effect_are_refused(self):
         self.write("a.svg", '<svg viewBox="0 0 4 3"><rect width="4" height="3"/></svg>')
         self.write("plate.json", PROJECT)

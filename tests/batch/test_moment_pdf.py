@@ -72,8 +72,8 @@ class Pages(unittest.TestCase):
     def test_the_page_has_the_size_of_the_picture(self):
         for width in (400, 800, 1234):
             page = self.film("m.pdf", "--at", "12", "--labels", "--width", str(width))
-            height = int(re.search(r'<svg [^>]*height="(\d+)"', self.film("m.svg", "--at", "12", "--width",
-                                                                              str(width)).read_text())[1])
+            height = int(re.search(r'<svg [^>]*height="(\d+)"', self.film("m.svg", "--at", "12", "--labels",
+                                                                              "--width", str(width)).read_text())[1])
             said = self.read("pdfinfo", page).decode()
             self.assertEqual(int(re.search(r"Pages: *(\d+)", said)[1]), 1)
             found = re.search(r"Page size: *([\d.]+) x ([\d.]+) pts", said)

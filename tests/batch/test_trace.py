@@ -146,6 +146,10 @@ class Tracing(Case):
             advances[9]["elements"] = []
         self.assertRegex(self.differs(deferring), r"advance 10: made: .*; yours: deferred")
 
+        def clockwise(advances):
+            advances[9]["elements"][0].reverse()
+        self.assertRegex(self.differs(clockwise), r"advance 10: made: .*; yours is the same, but clockwise: .*\. The corners")
+
         def longer(advances):
             advances.append(advances[-1])
         self.assertIn("your trace goes on", self.differs(longer))
@@ -176,23 +180,23 @@ class Tracing(Case):
 class Exercise(Case):
     """The skeleton with its answers agrees with the program, advance by advance."""
 
-    def solve(self, drawing, rho_at=None):
+    def solve(self, drawing, rho_at=None, without=None, code=0):
+        """Runs the skeleton with its answers, without a test of step 8, and returns what the comparison prints."""
         spec = importlib.util.spec_from_file_location("front", ROOT / "assets/exercise/front.py")
         own = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(own)
         for function in (own.take_base, lambda: own.ideal_point(None, None), lambda: own.verdict(0, None, None)):
             self.assertRaises(NotImplementedError, function)
-        exercise_answers.answers(own)
+        exercise_answers.answers(own, without)
         own.rho_at = rho_at or own.rho_at
         boundary = self.trace(drawing, "--steps", "0")["boundary"]
         own.nodes += boundary["nodes"]
         own.front += [[a, b, 0] for a, b in boundary["segments"]]
-        advances = []
-        while own.front and len(advances) < 2000:
-            advances.append(own.advance())
-        self.assertEqual(own.front, [])
-        (self.path / "mine.json").write_text(json.dumps({"advances": advances}, indent=1))
-        return self.call(drawing, "--method", "classic", "--compare", "mine.json").stdout
+        while own.front and len(own.advances) < (2000 if code == 0 else 60):  # a wrong one may go on for ever
+            own.advance()
+        self.assertTrue(code > 0 or own.front == [])
+        (self.path / "mine.json").write_text(json.dumps({"advances": own.advances}, indent=1))
+        return self.call(drawing, "--method", "classic", "--compare", "mine.json", code=code).stdout
 
     def test_the_ring(self):
         self.assertRegex(self.solve(RING), r"^the traces agree: \d+ advances\n$")
@@ -201,6 +205,46 @@ class Exercise(Case):
         def rho_at(p):
             return min(2.0, 0.35 + 0.2 * max(0.0, math.dist(p, (10, 7)) - 2.5))
         self.assertRegex(self.solve(DRAWINGS / "plate.json", rho_at), r"^the traces agree: \d+ advances\n$")
+
+    def test_the_rooms_need_each_test_of_step_8(self):
+        def rho_at(_):
+            return 3.0
+        rooms = DRAWINGS / "rooms.json"
+        self.assertRegex(self.solve(rooms, rho_at), r"^the traces agree: \d+ advances\n$")
+        for test in ("not-left", "crosses-front", "contains-node"):
+            self.assertRegex(self.solve(rooms, rho_at, test, 1), rf"advance \d+: .* is {test}.*; yours is accepted\n$")
+        # Whatever leaves along the meshed side meets the front or holds a node: the mesh is the same without this test.
+        self.assertRegex(self.solve(rooms, rho_at, "outside-angle"),
+                         r"^the traces agree: \d+ advances\nnote: another test than ours rejects \d+ candidates, first "
+                         r"in advance \d+: .* is outside-angle.*; yours is crosses-front\n$")
+
+    def run_own(self, changes=""):
+        """Runs the skeleton as a program, with statements before its loop; returns what it and the comparison print."""
+        text = (ROOT / "assets/exercise/front.py").read_text().replace("if __name__ ==", changes + "\nif __name__ ==")
+        (self.path / "front.py").write_text(text)
+        self.call(RING, "-o", "start.json", "--steps", "0")
+        (self.path / "mine.json").write_text("of another run")
+        done = subprocess.run([sys.executable, "front.py", "start.json", "mine.json"], cwd=self.path, text=True,
+                              capture_output=True, timeout=60,
+                              env=os.environ | {"PYTHONPATH": str(pathlib.Path(__file__).parent)})
+        return done, self.call(RING, "--compare", "mine.json", code=0 if done.returncode == 0 else 1).stdout
+
+    def test_a_run_that_fails_writes_what_it_has(self):
+        done, compared = self.run_own()
+        self.assertIn("NotImplementedError", done.stderr)
+        self.assertIn("mine.json: 0 advances", done.stdout)
+        self.assertEqual(compared, "advance 1: your trace ends, but the front still has segments\n")
+        solved = "import exercise_answers\nexercise_answers.answers(sys.modules[__name__])\n"
+        done, compared = self.run_own(solved)
+        self.assertEqual((done.stderr, compared), ("", "the traces agree: 100 advances\n"))
+        # Only steps 2 to 4 are written: these are compared.
+        first = "def candidates(*_):\n    raise NotImplementedError\n"
+        self.assertEqual(self.run_own(solved + first)[1], "advance 2: your trace ends, but the front still has segments\n")
+        # C on the wrong side: no triangle fits.
+        wrong = ("over = ideal_point\ndef ideal_point(a, b):\n    rho, c = over(b, a)\n    return rho, c\n")
+        done, compared = self.run_own(solved + wrong)
+        self.assertIn("no triangle fits", done.stderr)
+        self.assertRegex(compared, r"^mine\.json:\d+: advance 1: C is \(.*; yours is \(")
 
 
 if __name__ == "__main__":

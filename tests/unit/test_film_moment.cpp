@@ -103,6 +103,51 @@ TEST_CASE("Film: labels of a moment do not overlap") {
     }
 }
 
+TEST_CASE("Film: the label of a candidate ends with its verdict, unless it was not tested") {
+    MeshStepper stepper = moment_pictures::run(Method::Classic);
+    std::size_t verdicts = 0;
+    for (std::uint64_t advance = 1; advance <= 30; ++advance) {
+        const FilmScene scene = moment_pictures::sceneAt(stepper, advance);
+        const std::vector<CandidateTrace> &candidates = stepper.explanation()->candidates;
+        for (std::size_t k = 0; k < candidates.size(); ++k) {
+            const auto label = std::ranges::find_if(scene.texts, [&](const FilmText &text) {
+                return text.place && text.text.starts_with(std::to_string(k + 1) + ": ");
+            });
+            REQUIRE(label != scene.texts.end());
+            const Verdict verdict = candidates[k].verdict;
+            const std::string word = verdict == Verdict::Withdrawn ? "too near" : verdictText(verdict);
+            CHECK(label->text.ends_with(word) == (verdict != Verdict::NotTried));
+            verdicts += verdict != Verdict::NotTried ? 1U : 0U;
+        }
+    }
+    CHECK(verdicts > 30);
+}
+
+TEST_CASE("Film: a legend stands between the drawing and the caption, on any width") {
+    MeshStepper stepper = moment_pictures::run(Method::Classic);
+    stepper.seek(9);
+    const std::shared_ptr<const SessionSnapshot> moment = stepper.snapshot(moment_pictures::labelled().needed());
+    for (const int width : {120, 300, 800}) {
+        CAPTURE(width);
+        FilmSheet sheet{stepper.mesh().bounds(), width};
+        const int without = sheet.height();
+        sheet.legend = true;
+        CHECK(sheet.height() > without);
+        const FilmScene scene = sceneOf(*moment, sheet, moment_pictures::labelled());
+        const auto legend = [&](const char *word) {
+            const auto found = std::ranges::find_if(scene.texts, [&](const FilmText &t) { return t.text == word; });
+            REQUIRE(found != scene.texts.end());
+            return *found;
+        };
+        CHECK(legend("accepted").ink == Ink::Accepted);
+        const FilmText last = legend("circle: search around C"), caption = scene.texts.back();
+        CHECK(legend("base AB").at.y > sheet.bandTop());
+        CHECK(last.at.y < caption.at.y);
+        CHECK(last.at.y <= legend("not tested").at.y + 18.0);
+        CHECK(caption.at.y < scene.height);
+    }
+}
+
 TEST_CASE("Film: an SVG and a PDF of a moment keep its labels as text") {
     MeshStepper stepper = moment_pictures::run(Method::Classic);
     const FilmScene scene = moment_pictures::sceneAt(stepper, 9);
@@ -167,7 +212,9 @@ TEST_CASE("Film: a view shows a part of the plane, and its shapes end at the ban
     const Vec2 a = moment->explanation->a;
     const FilmSheet part{boxAround(a, 0.5), 800, true}, elsewhere{boxAround(a + Vec2{3.0, 3.0}, 0.1), 800, true};
     const FilmScene far = sceneOf(*moment, whole, layers, 60), near = sceneOf(*moment, part, layers, 60);
-    CHECK_FALSE(far.paperFrom);
+    CHECK(far.paperFrom == whole.bandTop()); // the circle of the search may reach beyond the whole domain, too
+    FilmLayers plain;
+    CHECK_FALSE(sceneOf(*moment, whole, plain, 60).paperFrom);
     REQUIRE(near.paperFrom);
     CHECK(*near.paperFrom == doctest::Approx(part.bandTop()));
     CHECK(near.elements.size() < far.elements.size());

@@ -132,7 +132,7 @@ TEST_CASE("Lesson: faults are reported with line, column and what was expected")
          "bad-question", 3, "\"within\""},
         {page(",\n\"question\": {\"text\": \"{fron}\", \"number\": \"front\"}"), "unknown-value", 3, "'fron'"},
         {page(",\n\"question\": {\"text\": \"{front\", \"number\": \"front\"}"), "unknown-value", 3, "'front'"},
-        {question("\"number\": \"fronts\""), "bad-field", 3, "\"front\""},
+        {question("\"number\": \"fronts\""), "bad-field", 3, "front, elements"},
         {question("\"hint\": \"h\""), "bad-question", 3, "found 0"},
         {question("\"number\": \"front\", \"until\": {\"value\": \"front\", \"is\": 1}"), "bad-question", 3, "found 2"},
         {question("\"until\": []"), "bad-condition", 3, "at least one"},
@@ -253,6 +253,39 @@ TEST_CASE("Lesson: hints belong to wrong choices and to numbers that learners co
     CHECK(faultsOf(question(R"("choices": [{"text": "a", "right": true, "hint": "x"}, {"text": "b"}])")).front().code ==
           "bad-question");
     CHECK(faultsOf(question(R"("until": {"value": "front", "is": 3}, "mistakes": [])")).front().code == "bad-question");
+}
+
+TEST_CASE("Lesson: a number is a value, a constant or a formula of values and random numbers") {
+    const LessonRun run; // Γ has 34 segments, the mesh 4 elements
+    const RandomNumbers numbers = {{"n", {7, -9}}, {"n2", {-3, -3}}};
+    const auto value = [&](const std::string &text) {
+        const Result<LessonFormula> formula = readFormula(text, numbers);
+        REQUIRE_MESSAGE(formula.ok(), messages(formula.faults()));
+        CHECK(formula->text == text);
+        return valueOf(*formula, run.state());
+    };
+    CHECK(value("front") == 34.0);
+    CHECK(value("2*front - n") == 61.0);
+    CHECK(value("2*front-n") == 61.0);
+    CHECK(value("n2^2 + elements") == 13.0);
+    CHECK(value("new-nodes + 1e2") == 100.0); // a name with a hyphen, and a number with an exponent
+    CHECK(value("sqrt(elements)") == 2.0);
+    CHECK_FALSE(value("1/new-nodes").has_value());
+    CHECK_FALSE(value("irregular").has_value()); // no clean-up is shown
+    for (const char *wrong : {"frnt", "2*", "x + 1", "n3", "front elements", ""}) {
+        const Result<LessonFormula> formula = readFormula(wrong, numbers);
+        REQUIRE_FALSE(formula.ok());
+        CHECK(formula.faults().front().code == "bad-field");
+        CHECK(formula.faults().front().advice.find("chosen, n, n2") != std::string::npos);
+    }
+    const auto lesson = readLesson(
+        sourceOf(question(R"("number": 0.5, "mistakes": [{"is": "front/elements", "hint": "quotient"}])")), {});
+    REQUIRE_MESSAGE(lesson.ok(), messages(lesson.faults()));
+    const LessonQuestion &half = *lesson->pages[0].question;
+    CHECK(isRight(std::get<LessonNumber>(half.answer), 0.5, run.state()));
+    CHECK_FALSE(isRight(std::get<LessonNumber>(half.answer), 0.51, run.state()));
+    CHECK(hintAfter(half, 8.5, run.state()) == "quotient");
+    CHECK(faultsOf(question(R"("number": "2*frnt")")).front().code == "bad-field");
 }
 
 TEST_CASE("Lesson: a mean is answered as people round it, and so are the mistakes that are means") {

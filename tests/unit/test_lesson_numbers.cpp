@@ -3,13 +3,20 @@
 #include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
+#include "core/teaching/tables/power_law.hpp"
 #include "core/teaching/tables/published.hpp"
 #include "core/teaching/tables/table_case.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -58,7 +65,51 @@ std::vector<AdaptRound> rounds(double size, double error, int count) {
     return outcome->rounds;
 }
 
+/// Returns the slope of the error from one mesh to another on logarithmic axes.
+double slope(const AdaptRound &a, const AdaptRound &b) {
+    return std::log(b.error / a.error) / std::log(static_cast<double>(b.elements) / static_cast<double>(a.elements));
+}
+
+/// Returns the explanation of an advance, counted from 1, of the classic method.
+std::shared_ptr<const AdvanceExplanation> advanceOf(const std::string &name, std::uint64_t advance) {
+    Result<MeshStepper> stepper = MeshStepper::create(jobOf(drawingOf(name)));
+    REQUIRE(stepper);
+    stepper->seek(advance);
+    return stepper->explanation();
+}
+
 } // namespace lesson_numbers
+
+TEST_CASE("Lesson 9: the front starts on the outline and is in the ring after 10 advances") {
+    using namespace lesson_numbers;
+    const auto fromRing = [](std::uint64_t advance) {
+        const auto told = advanceOf("adapted.json", advance);
+        return std::abs(distance(midpoint(told->a, told->b), Vec2{10, 7}) - 4.0);
+    };
+    const auto first = advanceOf("adapted.json", 1);
+    CHECK(first->a.y == 14.0);
+    CHECK(first->b.y == 14.0);
+    for (std::uint64_t advance = 1; advance <= 10; ++advance) {
+        CHECK((fromRing(advance) < 1.0) == (advance == 10));
+    }
+}
+
+TEST_CASE("Lesson 12: the front closes a pocket by diagonals, and its walls reject candidates") {
+    using namespace lesson_numbers;
+    const Document pocket = drawingOf("pocket.json");
+    CHECK(pocket.shapes.front()->nodes.size() == 12);
+    std::size_t rejecting = 0;
+    for (std::uint64_t advance = 1; advance <= 10; ++advance) {
+        const auto told = advanceOf("pocket.json", advance);
+        CHECK(told->made.size() == 1);
+        rejecting += std::ranges::any_of(
+            told->candidates, [](const CandidateTrace &candidate) { return candidate.verdict >= Verdict::NotLeft; });
+        CHECK(std::ranges::none_of(told->candidates, [](const CandidateTrace &candidate) {
+            return candidate.verdict == Verdict::Accepted && candidate.node == kNoNode;
+        }));
+    }
+    CHECK(rejecting == 9);
+}
 
 TEST_CASE("Lesson 9: the rounds of the adaptation, and the errors of one size everywhere") {
     using namespace lesson_numbers;
@@ -70,6 +121,16 @@ TEST_CASE("Lesson 9: the rounds of the adaptation, and the errors of one size ev
         CHECK(adapted[k].elements == elements[k]);
         CHECK(adapted[k].error == doctest::Approx(errors[k]).epsilon(0.02));
     }
+    std::vector<Vec2> points;
+    for (const AdaptRound &round : adapted) {
+        points.push_back({static_cast<double>(round.elements), round.error});
+    }
+    CHECK(std::abs(fitPowerLaw(points)->exponent + 0.47) < 0.005);
+    const double slopes[] = {-0.33, -0.60, -0.65};
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(std::abs(slope(adapted[k], adapted[k + 1]) - slopes[k]) < 0.005);
+    }
+    CHECK(std::abs(slope(adapted[0], rounds(1.0, 0.99, 1).front()) + 0.18) < 0.005);
     const std::vector<AdaptRound> fine = rounds(2.0, 0.1, 8);
     CHECK(fine.back().elements == 2868);
     CHECK(fine.back().error < 0.1);

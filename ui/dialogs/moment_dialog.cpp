@@ -53,6 +53,7 @@ Diagnostics writeMoment(Shell &context, const MomentSettings &settings, const st
     sheet.box = sheetBox(settings.asOnCanvas ? film_fields::canvasBox(context.view) : moment->mesh->mesh.bounds());
     sheet.width = settings.width;
     sheet.cut = settings.asOnCanvas;
+    sheet.legend = settings.layers.has(FilmLayer::Labels);
     const auto write = [moment, sheet, layers = settings.layers, file](const Progress &) {
         return writeFileAtomically(file, pictureOf(file, sceneOf(*moment, sheet, layers)));
     };

@@ -36,6 +36,7 @@ class Filming {
         sheet_.box = home_;
         sheet_.width = plan_.width;
         sheet_.cut = plan_.view || plan_.follow;
+        sheet_.legend = plan_.layers.has(FilmLayer::Labels);
         if (!stepper_.finish(quiet())) {
             return cancelled();
         }
@@ -121,12 +122,27 @@ class Filming {
     }
     Status writeMoment() {
         stepper_.seek(last_, quiet());
+        makeRoomForSearch();
         const FilmScene scene = sceneHere({});
         if (progress_.cancelled()) {
             return cancelled();
         }
         written_ = 1;
         return writeFileAtomically(plan_.output, pictureOf(plan_.output, scene));
+    }
+    /// Widens the sheet of a single moment so that the circle of its search is whole, unless the view is given.
+    void makeRoomForSearch() {
+        if (sheet_.cut || !sheet_.legend) {
+            return;
+        }
+        const std::shared_ptr<const SessionSnapshot> here =
+            stepper_.snapshot({.mesh = false, .front = false, .cells = false, .explanation = true});
+        if (const Moment moment = momentOf(*here)) {
+            const Vec2 c = moment.advance->ideal, reach{moment.advance->searchRadius, moment.advance->searchRadius};
+            sheet_.box.add(c - reach);
+            sheet_.box.add(c + reach);
+            sheet_.box = sheetBox(sheet_.box);
+        }
     }
     using FramePlaces = std::vector<std::uint64_t>;
 

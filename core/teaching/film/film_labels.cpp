@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -17,7 +19,7 @@ namespace {
 
 constexpr double kLabelSize = 13.0; ///< font size in pixels
 constexpr double kLabelGap = 7.0;   ///< pixels between a point and its label
-constexpr int kDirections = 8, kRings = 6;
+constexpr int kDirections = 8, kRings = 7;
 
 std::string fixedText(double value, int decimals) {
     std::array<char, 64> text{};
@@ -50,10 +52,30 @@ int scoreDecimals(const AdvanceExplanation &advance) {
     return kMax;
 }
 
-/// Places labels one after another, each clear of the points and of the labels before it.
+/// Returns true if a line touches a box: the part of it within the box is not empty.
+bool touches(const FilmLine &line, const Box2 &box) {
+    double from = 0.0, to = 1.0;
+    const auto cut = [&](double start, double along, double low, double high) {
+        if (along == 0.0) {
+            return low <= start && start <= high;
+        }
+        const double first = (low - start) / along, second = (high - start) / along;
+        from = std::max(from, std::min(first, second));
+        to = std::min(to, std::max(first, second));
+        return from <= to;
+    };
+    const Vec2 along = line.b - line.a;
+    return cut(line.a.x, along.x, box.min.x, box.max.x) && cut(line.a.y, along.y, box.min.y, box.max.y);
+}
+
+/// Places labels one after another, each clear of the points and of the labels before it, and of the lines of the
+/// scene, except for the edges of the mesh, if there is room for that.
 class LabelPlacer {
   public:
-    LabelPlacer(FilmScene &scene, double bottom) : scene_(scene), bottom_(bottom) {}
+    LabelPlacer(FilmScene &scene, double bottom) : scene_(scene), bottom_(bottom) {
+        std::copy_if(scene.lines.begin(), scene.lines.end(), std::back_inserter(lines_),
+                     [](const FilmLine &line) { return line.ink != Ink::Edge && line.ink != Ink::Cell; });
+    }
 
     void avoid(Vec2 point) { points_.push_back(point); }
 
@@ -64,18 +86,26 @@ class LabelPlacer {
         }
         const Vec2 size{filmTextWidth(text, kLabelSize), 0.75 * kLabelSize};
         const double first = std::atan2(away.y, away.x);
-        Box2 chosen = boxAt(point, size, first, kLabelGap);
-        for (int k = 0; k < kDirections * kRings; ++k) {
+        const auto boxOf = [&](int k) {
             const int turn = k % kDirections; // 0, 1, -1, 2, -2, ... eighths
             const double eighths = (turn % 2 == 1 ? 1.0 : -1.0) * ((turn + 1) / 2);
-            const Box2 box =
-                boxAt(point, size, first + eighths * std::numbers::pi / 4.0, kLabelGap + size.y * (k / kDirections));
-            if (isFree(box)) {
-                chosen = box;
-                break;
+            return boxAt(point, size, first + eighths * std::numbers::pi / 4.0, kLabelGap + size.y * (k / kDirections));
+        };
+        std::optional<int> found;
+        for (const bool clear : {true, false}) {
+            for (int k = 0; k < kDirections * kRings && !found; ++k) {
+                if (isFree(boxOf(k)) && (!clear || isClear(boxOf(k)))) {
+                    found = k;
+                }
             }
         }
+        const Box2 chosen = boxOf(found.value_or(0));
         boxes_.push_back(chosen);
+        if (found.value_or(0) >= 2 * kDirections) {
+            const Vec2 end{std::clamp(point.x, chosen.min.x, chosen.max.x),
+                           std::clamp(point.y, chosen.min.y, chosen.max.y)};
+            scene_.lines.push_back({point, end, Ink::Text, 0.6});
+        }
         scene_.texts.push_back({{chosen.min.x, chosen.max.y}, std::move(text), ink, kLabelSize, place});
     }
 
@@ -98,11 +128,30 @@ class LabelPlacer {
                });
     }
 
+    bool isClear(const Box2 &box) const {
+        return std::none_of(lines_.begin(), lines_.end(), [&](const FilmLine &line) { return touches(line, box); });
+    }
+
     FilmScene &scene_;
     double bottom_;
     std::vector<Vec2> points_;
+    std::vector<FilmLine> lines_;
     std::vector<Box2> boxes_;
 };
+
+/// Returns the verdict on a candidate for its label, once it is known: " crosses the front". The legend explains the
+/// colour of those that are not tested.
+std::string verdictOf(const Moment &moment, std::size_t k) {
+    const CandidateTrace &candidate = moment.advance->candidates[k];
+    const Verdict verdict = candidate.verdict;
+    if (!moment.judged[k] || verdict == Verdict::NotTried) {
+        return {};
+    }
+    if (candidate.square != SquareKind::None) { // what it does is said already
+        return verdict == Verdict::Accepted ? std::string() : std::string(", ") + verdictText(verdict);
+    }
+    return std::string(" ") + (verdict == Verdict::Withdrawn ? "too near" : verdictText(verdict));
+}
 
 } // namespace
 
@@ -128,15 +177,9 @@ void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double
     const int decimals = scoreDecimals(advance);
     for (std::size_t k = 0; k < moment.candidates && moment.scoresKnown; ++k) {
         const CandidateTrace &candidate = advance.candidates[k];
-        const bool withdrawn = candidate.verdict == Verdict::Withdrawn && moment.judged[k];
-        const bool refused = candidate.square != SquareKind::None && moment.judged[k] &&
-                             candidate.verdict != Verdict::Accepted && candidate.verdict != Verdict::NotTried;
         const std::string what =
             candidate.square == SquareKind::None ? fixedText(candidate.score, decimals) : squareText(candidate.square);
-        const std::string text = std::to_string(k + 1) + ": " + what +
-                                 (refused     ? std::string(", ") + verdictText(candidate.verdict)
-                                  : withdrawn ? " too near"
-                                              : "");
+        const std::string text = std::to_string(k + 1) + ": " + what + verdictOf(moment, k);
         const Vec2 point = at(candidate.position);
         labels.add(point, candidate.position, text, Ink::Text, point - middle);
     }

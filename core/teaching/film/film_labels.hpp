@@ -8,9 +8,10 @@
 
 namespace forefront {
 
-/// Adds the labels of an advance to a scene: A, B and C, each alone in its text, and the rank of each
-/// candidate with its score or, of a square, what it does and why it is refused. Labels are kept apart and inside the
-/// drawing, whose lower edge is `bottom`, in pixels. `at`: maps the plane to pixels.
+/// Adds the labels of an advance to a scene: A, B and C, each alone in its text, and the rank of each candidate with
+/// its score or, of a square, what it does, and with its verdict. Labels are kept apart, inside the drawing, whose
+/// lower edge is `bottom`, in pixels, and clear of the lines of the scene where there is room; a line leads from a
+/// label to a point that is not beside it. `at`: maps the plane to pixels.
 void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double bottom, FilmScene &scene);
 
 } // namespace forefront

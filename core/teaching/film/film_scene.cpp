@@ -2,6 +2,7 @@
 
 #include "core/engine/base/number_text.hpp"
 #include "core/teaching/film/film_labels.hpp"
+#include "core/teaching/film/film_legend.hpp"
 #include "core/teaching/film/stroke_font.hpp"
 #include "core/teaching/moment/candidate_sides.hpp"
 #include "core/teaching/moment/moment.hpp"
@@ -301,7 +302,7 @@ double FilmSheet::bandTop() const {
 }
 
 int FilmSheet::height() const {
-    const double text = kLineHeight * (captionLines(width) - 1);
+    const double text = kLineHeight * (captionLines(width) - 1 + (legend ? legendLines(width) : 0));
     constexpr double kRounding = 1e-6; // boxes of equal proportions must give equal heights
     return static_cast<int>(std::ceil(bandTop() + kBand + text - kRounding));
 }
@@ -315,7 +316,7 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
         scene.progress =
             *last == 0 ? 1.0 : std::min(1.0, static_cast<double>(moment.position()) / static_cast<double>(*last));
     }
-    if (sheet.cut) {
+    if (sheet.cut || layers.has(FilmLayer::Labels)) { // the circle of the search may reach beyond the box
         scene.paperFrom = sheet.bandTop();
     }
     SceneBuilder builder(moment, sheet, scene);
@@ -343,6 +344,9 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
     }
     if (layers.has(FilmLayer::Improvement) && moment.improvement) {
         builder.addImprovement(*moment.improvement);
+    }
+    if (sheet.legend) {
+        addLegend(sheet.bandTop(), scene);
     }
     if (layers.has(FilmLayer::Caption)) {
         addCaption(captionOf(moment, builder.told()), scene);

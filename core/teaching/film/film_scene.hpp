@@ -98,11 +98,12 @@ struct FilmScene {
 struct FilmSheet {
     Box2 box; ///< part of the plane shown
     int width = 800;
-    bool cut = false; ///< what is drawn may reach beyond the box, and is cut off there
+    bool cut = false;    ///< what is drawn may reach beyond the box, and is cut off there
+    bool legend = false; ///< a legend of the colours of labelled moments stands above the caption
 
     /// Returns where the band for the caption begins, in pixels from the top.
     double bandTop() const;
-    /// Returns the height that shows the whole box with a band for the caption below.
+    /// Returns the height that shows the whole box with a band for legend and caption below.
     int height() const;
 };
 

@@ -167,6 +167,22 @@ const std::vector<GlossaryTerm> kTerms = {
      "of these, so no tetrahedron with its corners fits inside, and the solid cannot be divided without a new node.",
      {"closing"},
      figures::schoenhardt},
+    {"adaptation",
+     "Adapted spacing",
+     {"adapt"},
+     "A spacing that follows from the error of a field. Between the nodes, each element replaces the field by a plane; "
+     "the error is large where the field bends within an element. Small elements there, and large ones elsewhere, give "
+     "a smaller error with as many elements.",
+     {"spacing", "gradation"},
+     figures::adaptation},
+    {"strips",
+     "Strips",
+     {"strip"},
+     "Parts of the plane in which threads advance the front of a large mesh at the same time. A base whose search "
+     "stays "
+     "inside its strip is taken now. One whose search crosses a seam waits for other strips, which lie over the seams.",
+     {"methods", "front"},
+     figures::strips},
 };
 
 bool isWordPart(char c) {

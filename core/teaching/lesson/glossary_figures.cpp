@@ -327,6 +327,51 @@ Figure schoenhardt() {
     return figure;
 }
 
+/// Adds a function that rises steeply at x = 4, and the straight pieces between its values at some nodes.
+void interpolated(Figure &figure, double up, Ink ink, const std::vector<double> &nodes) {
+    const auto place = [up](double x) { return Vec2{x, up + 0.5 * std::atan(2.0 * (x - 4.0))}; };
+    constexpr int kPieces = 60;
+    std::vector<Vec2> curve, chords;
+    for (int k = 0; k <= kPieces; ++k) {
+        curve.push_back(place(8.0 * k / kPieces));
+    }
+    for (const double x : nodes) {
+        chords.push_back(place(x));
+        dot(figure, place(x), ink);
+    }
+    add(figure, Ink::Edge, curve);
+    add(figure, ink, chords);
+}
+
+Figure adaptation() {
+    Figure figure;
+    interpolated(figure, 2.4, Ink::Rejected, {0, 1.6, 3.2, 4.8, 6.4, 8});
+    interpolated(figure, 0.0, Ink::Accepted, {0, 2.6, 3.5, 3.85, 4.15, 4.5, 5.4, 8});
+    figure.labels.push_back({{1.6, 2.6}, "one size", Ink::Rejected});
+    figure.labels.push_back({{1.6, 0.2}, "adapted", Ink::Accepted});
+    return figure;
+}
+
+Figure strips() {
+    constexpr double kWide = 1.5, kTall = 2.0;
+    Figure figure;
+    for (int k = 0; k <= 4; ++k) {
+        add(figure, Ink::Cell, {{k * kWide, 0}, {k * kWide, kTall}});
+        if (k < 4) {
+            add(figure, Ink::Candidate, {{(k + 0.5) * kWide, -0.3}, {(k + 0.5) * kWide, 0}});
+        }
+    }
+    add(figure, Ink::Boundary, {{0, 0}, {4 * kWide, 0}, {4 * kWide, kTall}, {0, kTall}}, true);
+    const Vec2 inside{0.5 * kWide, 1.3}, seam{2.0 * kWide, 1.3};
+    for (const Vec2 middle : {inside, seam}) {
+        add(figure, Ink::Base, {middle - Vec2{0.2, 0}, middle + Vec2{0.2, 0}});
+        circle(figure, middle, 0.5, middle.x == inside.x ? Ink::Accepted : Ink::Rejected);
+    }
+    figure.labels.push_back({{inside.x, 0.4}, "now", Ink::Accepted});
+    figure.labels.push_back({{seam.x, 0.4}, "waits", Ink::Rejected});
+    return figure;
+}
+
 } // namespace figures
 
 } // namespace forefront

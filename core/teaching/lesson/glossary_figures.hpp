@@ -24,5 +24,7 @@ Figure gradation();
 Figure methods();
 Figure improvement();
 Figure schoenhardt();
+Figure adaptation();
+Figure strips();
 
 } // namespace forefront::figures

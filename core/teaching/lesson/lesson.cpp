@@ -40,7 +40,8 @@ bool isRight(const LessonChoices &choices, std::size_t index, const LessonState 
 }
 
 bool isRight(const LessonNumber &question, double number, const LessonState &state) {
-    return holds({question.value, LessonRelation::Is, number, {}, toleranceOf(question, state)}, state);
+    const std::optional<double> value = valueOf(question.value, state);
+    return value && std::abs(*value - number) <= toleranceOf(question, state);
 }
 
 double toleranceOf(const LessonNumber &question, const LessonState &state) {
@@ -61,7 +62,7 @@ double roundingOf(double number) {
 std::vector<KnownMistake> mistakesOf(const LessonNumber &question, const LessonState &state) {
     std::vector<KnownMistake> known;
     for (const LessonNumber::Mistake &mistake : question.mistakes) {
-        const auto value = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
+        const std::optional<double> value = valueOf(mistake.value, state);
         if (value) {
             const double rounding = std::max(question.within.value_or(0.0), roundingOf(*value));
             known.push_back({*value, std::max(rounding, 0.01 * question.percent * std::abs(*value)), &mistake.hint});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
+#include "core/teaching/lesson/lesson_formula.hpp"
 #include "core/teaching/lesson/lesson_value.hpp"
 #include "core/teaching/lesson/random_numbers.hpp"
 
@@ -61,14 +62,13 @@ struct LessonChoices {
 
 /// A question answered by a number.
 struct LessonNumber {
-    /// A wrong number that deserves a hint of its own: a number, or a value that learners confuse with the right one.
+    /// A wrong number that learners confuse with the right one, and its hint.
     struct Mistake {
-        double number = 0.0;
-        std::optional<LessonValue> value{}; ///< instead of `number`
+        LessonFormula value;
         std::string hint;
     };
 
-    LessonValue value = LessonValue::Advance;
+    LessonFormula value;
     std::optional<double> within{}; ///< largest difference from the value; not set: as far as people round it
     double percent = 0.0;           ///< or this many per cent of the value, if that is more
     std::vector<Mistake> mistakes{};

@@ -151,7 +151,7 @@ class LessonChecker {
         } else if (const auto *number = std::get_if<LessonNumber>(&question.answer)) {
             if (!valueOf(number->value, state)) {
                 add(Severity::Error, "no-answer", {"question", "number"},
-                    "the value " + inQuotes(wordOf(number->value)) + " has no number at the position of the page");
+                    "the value " + inQuotes(number->value.text) + " has no number at the position of the page");
             }
             checkMistakes(*number, state);
             checkText(question.why, state, {"question", "why"});
@@ -179,7 +179,7 @@ class LessonChecker {
     void checkMistakes(const LessonNumber &number, const LessonState &state) {
         for (const LessonNumber::Mistake &mistake : number.mistakes) {
             checkText(mistake.hint, state, {"question", "mistakes"});
-            const auto wrong = mistake.value ? valueOf(*mistake.value, state) : std::optional(mistake.number);
+            const std::optional<double> wrong = valueOf(mistake.value, state);
             if (!wrong || isRight(number, *wrong, state)) {
                 add(Severity::Warning, "no-mistake", {"question", "mistakes"},
                     wrong ? "the number of this mistake is the right answer"

@@ -12,8 +12,29 @@ namespace {
 constexpr std::int64_t kMaxAdvances = 1'000'000'000;
 constexpr std::int64_t kMaxEvents = 1'000'000;
 
-LessonValue valueWord(const JsonValue &value, JsonCheck &check, std::string_view what) {
-    return static_cast<LessonValue>(check.choice(value, wordsOf<LessonValue>(), what));
+/// Reads the word of a value; `numbers` may be expected there, too, and are named in the fault.
+LessonValue valueWord(const JsonValue &value, JsonCheck &check, std::string_view what,
+                      const RandomNumbers &numbers = {}) {
+    const auto words = wordsOf<LessonValue>();
+    std::vector<std::string_view> expected(words.begin(), words.end());
+    for (const auto &[name, number] : numbers) {
+        expected.push_back(name);
+    }
+    return static_cast<LessonValue>(check.choice(value, expected, what));
+}
+
+/// Reads a number, or a formula of values, random numbers and numbers.
+LessonFormula formula(const JsonValue &value, JsonCheck &check, const RandomNumbers &numbers, std::string_view what) {
+    if (!value.is(JsonKind::String)) {
+        return formulaOf(check.number(value, what));
+    }
+    Result<LessonFormula> read = readFormula(value.string(), numbers);
+    if (!read) {
+        const Diagnostic &fault = read.faults().front();
+        check.fault(value, fault.code.c_str(), fault.message, fault.advice);
+        return formulaOf(0.0);
+    }
+    return *std::move(read);
 }
 
 double tolerance(const JsonValue &object, JsonCheck &check) {
@@ -50,7 +71,7 @@ void readBound(const JsonValue &bound, JsonCheck &check, const RandomNumbers &nu
     } else if (const auto random = numbers.find(bound.string()); random != numbers.end()) {
         number = static_cast<double>(random->second.value);
     } else {
-        value = valueWord(bound, check, what);
+        value = valueWord(bound, check, what, numbers);
     }
 }
 
@@ -138,7 +159,7 @@ std::vector<LessonNumber::Mistake> readMistakes(const JsonValue &list, JsonCheck
         expectMembers(check, item, kMembers, "a mistake");
         LessonNumber::Mistake mistake;
         if (const auto bound = check.member(item, "is", "the mistake")) {
-            readBound(*bound, check, numbers, mistake.number, mistake.value, "the number of a mistake");
+            mistake.value = formula(*bound, check, numbers, "the number of a mistake");
         }
         if (const auto hint = check.member(item, "hint", "the mistake")) {
             mistake.hint = shownText(check, *hint, "the hint of a mistake", &numbers);
@@ -170,13 +191,17 @@ LessonChoices readChoices(const JsonValue &list, JsonCheck &check, const RandomN
     return choices;
 }
 
-void checkBraces(JsonCheck &check, const JsonValue &value, std::string_view text) {
+void checkBraces(JsonCheck &check, const JsonValue &value, std::string_view text, const RandomNumbers &numbers) {
     for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
         const std::size_t close = std::min(text.find('}', open), text.size());
         const std::string_view word = text.substr(open + 1, close - open - 1);
         if (close == text.size() || !fromWord<LessonValue>(word)) {
+            std::string names = wordList<LessonValue>();
+            for (const auto &[name, number] : numbers) {
+                names += ", " + name;
+            }
             check.fault(value, "unknown-value", "unknown value " + inQuotes(word) + " in braces",
-                        "expected one of: " + wordList<LessonValue>());
+                        "expected one of: " + names);
         }
     }
 }
@@ -205,7 +230,7 @@ std::string shownText(JsonCheck &check, const JsonValue &value, std::string_view
     }
     if (numbers != nullptr) {
         text = withNumbers(std::move(text), *numbers);
-        checkBraces(check, value, text);
+        checkBraces(check, value, text, *numbers);
     }
     return text;
 }
@@ -316,7 +341,7 @@ LessonQuestion readQuestion(const JsonValue &object, JsonCheck &check, const Ran
     if (choices) {
         question.answer = readChoices(*choices, check, numbers);
     } else if (number) {
-        LessonNumber asked{.value = valueWord(*number, check, "\"number\"")};
+        LessonNumber asked{.value = formula(*number, check, numbers, "\"number\"")};
         readTolerance(object, check, asked);
         if (const auto mistakes = object.find("mistakes")) {
             asked.mistakes = readMistakes(*mistakes, check, numbers);

@@ -4,9 +4,13 @@
 #include "core/engine/session/mesh_stepper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -39,6 +43,23 @@ class AdvanceComparison {
             }
         }
         return {};
+    }
+
+    /// Returns which test rejects each candidate that another one rejects there, provided that there is no difference.
+    std::vector<std::string> otherTests() const {
+        std::vector<std::string> found;
+        for (std::size_t k = 0; theirs_.candidates && k < theirs_.candidates->size(); ++k) {
+            const TracedCandidate &there = (*theirs_.candidates)[k];
+            const auto isHere = [&](const CandidateTrace &here) { return same(there.at, here.position); };
+            const auto here = std::find_if(ours_.candidates.begin(), ours_.candidates.end(), isHere);
+            const bool known = std::any_of(ours_.candidates.begin(), ours_.candidates.end(), [&](const auto &one) {
+                return isHere(one) && one.verdict == there.verdict;
+            });
+            if (there.verdict && !known && here != ours_.candidates.end()) {
+                found.push_back(verdictsText(*here, *there.verdict));
+            }
+        }
+        return found;
     }
 
   private:
@@ -129,13 +150,16 @@ class AdvanceComparison {
                 found = "the score of " + nameOf(here) + " is " + numberText(here.score, 6) + "; yours is " +
                         numberText(*there.score, 6);
             } else if (there.verdict && !sameVerdict(*there.verdict, here.verdict)) {
-                found = nameOf(here) + " is " + std::string(wordOf(here.verdict)) + blockOf(here) + "; yours is " +
-                        std::string(wordOf(*there.verdict));
+                found = verdictsText(here, *there.verdict);
             } else {
                 return {};
             }
         }
         return found;
+    }
+    std::string verdictsText(const CandidateTrace &here, Verdict theirs) const {
+        return nameOf(here) + " is " + std::string(wordOf(here.verdict)) + blockOf(here) + "; yours is " +
+               std::string(wordOf(theirs));
     }
     std::string nameOf(const CandidateTrace &here) const {
         return (here.square != SquareKind::None
@@ -154,18 +178,34 @@ class AdvanceComparison {
     }
 
     std::string elements() const {
-        if (!theirs_.elements || sameElements()) {
+        if (!theirs_.elements || sameElements(*theirs_.elements)) {
             return {};
+        }
+        if (sameButForTurn(*theirs_.elements)) {
+            return "made: " + elementsText(ours_.made) +
+                   "; yours is the same, but clockwise: " + elementsText(*theirs_.elements) +
+                   ". The corners of an element go counter-clockwise";
         }
         return (ours_.made.empty() ? "no candidate passes, and AB is deferred" : "made: " + elementsText(ours_.made)) +
                "; yours: " + (theirs_.elements->empty() ? "deferred" : elementsText(*theirs_.elements));
     }
-    bool sameElements() const {
-        return ours_.made.size() == theirs_.elements->size() &&
+    using Elements = std::vector<std::array<Vec2, 3>>;
+
+    bool sameElements(const Elements &theirs) const {
+        return ours_.made.size() == theirs.size() &&
                std::all_of(ours_.made.begin(), ours_.made.end(), [&](const std::array<Vec2, 3> &here) {
-                   return std::any_of(theirs_.elements->begin(), theirs_.elements->end(),
+                   return std::any_of(theirs.begin(), theirs.end(),
                                       [&](const std::array<Vec2, 3> &there) { return sameElement(here, there); });
                });
+    }
+    /// Returns true if the elements would be the same with those that are clockwise turned over.
+    bool sameButForTurn(Elements theirs) const {
+        for (auto &[a, b, c] : theirs) {
+            if (cross(b - a, c - a) < 0.0) {
+                std::swap(b, c);
+            }
+        }
+        return sameElements(theirs);
     }
     bool sameElement(const std::array<Vec2, 3> &here, const std::array<Vec2, 3> &there) const {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -175,7 +215,7 @@ class AdvanceComparison {
         }
         return false;
     }
-    static std::string elementsText(const std::vector<std::array<Vec2, 3>> &elements) {
+    static std::string elementsText(const Elements &elements) {
         std::string text;
         for (const std::array<Vec2, 3> &corners : elements) {
             text += (text.empty() ? "" : ", ") + placeText(corners[0]) + "-" + placeText(corners[1]) + "-" +
@@ -231,11 +271,18 @@ Result<TraceComparison> compareTrace(MeshingJob job, std::span<const TracedAdvan
             return result;
         }
         const TracedAdvance &other = trace[result.advances];
-        result.difference =
-            AdvanceComparison(*stepper->explanation(), stepper->front().size(), other, rules, tolerance).difference();
+        const std::shared_ptr<const AdvanceExplanation> told = stepper->explanation();
+        const AdvanceComparison compared(*told, stepper->front().size(), other, rules, tolerance);
+        result.difference = compared.difference();
         if (!result.difference.empty()) {
             result.offset = other.offset;
             return result;
+        }
+        if (const std::vector<std::string> tests = compared.otherTests(); !tests.empty()) {
+            if (result.otherTests == 0) {
+                result.otherTest = "advance " + std::to_string(result.advances + 1) + ": " + tests.front();
+            }
+            result.otherTests += tests.size();
         }
         ++result.advances;
     }
