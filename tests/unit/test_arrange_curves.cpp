@@ -35,7 +35,7 @@ double capArea(double radius, double d) {
     return radius * radius * std::acos(d / radius) - d * std::sqrt(radius * radius - d * d);
 }
 
-Arrangement arranged(ArrangementInput input, double tolerance) {
+Arrangement arrangedWithin(ArrangementInput input, double tolerance) {
     input.tolerance = tolerance;
     input.markRegions = true;
     Result<Arrangement> result = arrange(input);
@@ -82,7 +82,7 @@ TEST_CASE("arrange: a line that crosses a circle less deeply than the chords dev
         CurveDrawing drawing(0.045);
         drawing.feature({circle({0, 0}, 30)});
         drawing.feature(box({-50, d}, {50, 60}));
-        const Arrangement result = arranged(drawing.input, 1e-6);
+        const Arrangement result = arrangedWithin(drawing.input, 1e-6);
         const double cap = capArea(30, d);
         const auto areas = curvedAreas(result.domain);
         CHECK(areas.at(1) == doctest::Approx(900 * pi - cap).epsilon(1e-12));
@@ -106,7 +106,7 @@ TEST_CASE("arrange: crossings of curves of all kinds lie on both curves") {
         CurveDrawing drawing(1e-3);
         drawing.feature({pair.first});
         drawing.feature({pair.second});
-        const Arrangement result = arranged(drawing.input, 1e-9);
+        const Arrangement result = arrangedWithin(drawing.input, 1e-9);
         CHECK(count(result, ChangeKind::CrossingSegments) == pair.crossings);
         CHECK(greatestOffset(result.domain) < 1e-14);
     }
@@ -114,7 +114,7 @@ TEST_CASE("arrange: crossings of curves of all kinds lie on both curves") {
     drawing.feature({circle({0, 0}, 1)});
     drawing.line({wave}, 7);
     drawing.line({Curve::line({-2, 0.02}, {2, -0.01})}, 8);
-    const Arrangement result = arranged(drawing.input, 1e-9);
+    const Arrangement result = arrangedWithin(drawing.input, 1e-9);
     CHECK(count(result, ChangeKind::CrossingSegments) == 7); // each line and the circle twice, the lines thrice
     CHECK(greatestOffset(result.domain) < 1e-14);
 }
@@ -125,7 +125,7 @@ TEST_CASE("arrange: curves that come closer than their chords deviate, but not t
     drawing.feature({circle({0, 0}, 0.999, 0.1)});
     drawing.feature({circle({2.0005, 0}, 1, 0.2)});
     drawing.feature(box({-2, 1.0003}, {2, 2}));
-    const Arrangement result = arranged(drawing.input, 1e-6);
+    const Arrangement result = arrangedWithin(drawing.input, 1e-6);
     CHECK(result.changes.empty());
     const auto areas = curvedAreas(result.domain);
     CHECK(areas.at(1) == doctest::Approx(pi * (1 - 0.999 * 0.999)).epsilon(1e-12));
@@ -150,7 +150,7 @@ TEST_CASE("arrange: curves that touch, or nearly do, are joined at one node") {
             CurveDrawing drawing(0.003);
             drawing.feature(drawn.first);
             drawing.feature(drawn.second);
-            const Arrangement result = arranged(drawing.input, 1e-6);
+            const Arrangement result = arrangedWithin(drawing.input, 1e-6);
             CHECK(count(result, ChangeKind::TouchingCurves) == 1);
             CHECK(result.changes.size() == 1);
             CHECK(degreeAt(result.domain, drawn.at, 2e-6) == 4);
@@ -172,7 +172,7 @@ TEST_CASE("arrange: a Bézier that touches itself is joined where it does") {
     };
     CurveDrawing drawing(1e-3);
     drawing.feature(touching(2.0 / 3.0));
-    const Arrangement result = arranged(drawing.input, 1e-6);
+    const Arrangement result = arrangedWithin(drawing.input, 1e-6);
     CHECK(count(result, ChangeKind::TouchingCurves) == 1);
     CHECK(degreeAt(result.domain, {0, 0}, 0.003) == 4);
 }
@@ -185,7 +185,7 @@ TEST_CASE("arrange: a circle drawn twice with other ends is one circle") {
     drawing.loop({Curve::arc({3, 4}, {0, 1}, {-1, 0}, 0.123, 2.0), Curve::arc({3, 4}, {0, 1}, {-1, 0}, 2.123, 1.0),
                   Curve::arc({3, 4}, {0, 1}, {-1, 0}, 3.123, 2 * pi - 3.0)},
                  contour, 1);
-    const Arrangement result = arranged(drawing.input, 1e-6);
+    const Arrangement result = arrangedWithin(drawing.input, 1e-6);
     CHECK(curvedAreas(result.domain).at(1) == doctest::Approx(pi).epsilon(1e-6));
     CHECK(count(result, ChangeKind::CrossingSegments) == 0);
     std::size_t boundaries = 0;
@@ -203,7 +203,7 @@ TEST_CASE("arrange: a curve that runs along part of another one becomes one with
     const Curve arc = round.part(0.05, 0.3); // with other numbers than the circle's
     drawing.feature(
         {arc, Curve::line(arc.point(1.0), {0, 3}), Curve::line({0, 3}, {3, 0}), Curve::line({3, 0}, arc.point(0.0))});
-    const Arrangement result = arranged(drawing.input, 1e-7);
+    const Arrangement result = arrangedWithin(drawing.input, 1e-7);
     const auto areas = curvedAreas(result.domain);
     CHECK(areas.at(1) == doctest::Approx(pi).epsilon(1e-6));
     double outer = 0.0; // of the second feature
@@ -219,7 +219,7 @@ TEST_CASE("arrange: a curve that runs along part of another one becomes one with
     waves.feature({wave, Curve::line({2, 0}, {0, 5}), Curve::line({0, 5}, {-2, 0})});
     const Curve piece = wave.part(0.7, 0.2);
     waves.feature({piece, Curve::line(piece.point(1.0), {0, -5}), Curve::line({0, -5}, piece.point(0.0))});
-    const Arrangement both = arranged(waves.input, 1e-7);
+    const Arrangement both = arrangedWithin(waves.input, 1e-7);
     CHECK(count(both, ChangeKind::CrossingSegments) == 0);
     CHECK(both.domain.segments.size() < 200);
 }
