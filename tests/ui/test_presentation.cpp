@@ -1,3 +1,4 @@
+#include "core/teaching/moment/short_texts.hpp"
 #include "tests/ui/meshed_square.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shown_panels.hpp"
