@@ -1669,7 +1669,7 @@ class Refusing(Case):
         self.assertEqual(lines[head].split()[1:],
                          ["minimum", "1%", "5%", "25%", "50%", "75%", "95%", "99%", "maximum", "mean"])
         table = {line[:22].strip(): [float(v) for v in line[22:].split()] for line in lines[head + 1:]}
-        self.assertEqual(list(table), ["Shape factor", "Scaled Jacobian", "Minimum angle", "Maximum angle", "Area", "Area ratio",
+        self.assertEqual(list(table), ["Shape factor", "Scaled Jacobian", "Minimum angle", "Maximum angle", "Aspect ratio", "Area", "Area ratio",
                                        "Edge length", "Elements across", "Island area", "Valence"])
         for name, numbers in table.items():
             self.assertEqual(len(numbers), 10, name)
