@@ -49,8 +49,9 @@ TEST_CASE("repairDrawing: shapes that it does not change stay the same objects")
 }
 
 TEST_CASE(
-    "repairDrawing: neighbours become one outline with a constraint between them, and points outside are dropped") {
-    const Document document = documentOf({square({0, 0}, 2), square({2, 0}, 2), square({9, 9}, 1),
+    "repairDrawing: neighbours that share a part of a side become one outline with a constraint between them, and "
+    "points outside are dropped") {
+    const Document document = documentOf({square({0, 0}, 2), square({2, 1}, 2), square({9, 9}, 1),
                                           makeShape(ShapeKind::Point, {{7, 7}}, ShapeUse::Constraint),
                                           makeShape(ShapeKind::Point, {{1, 1}}, ShapeUse::Boundary)});
     const RepairedDrawing result = repaired(document);
@@ -59,6 +60,16 @@ TEST_CASE(
     CHECK(result.document.shapes[0] == document.shapes[2]);
     CHECK(areaOf(*result.document.shapes[1]) == doctest::Approx(8.0));
     CHECK(result.document.shapes[2]->use == ShapeUse::Constraint);
+}
+
+TEST_CASE("repairDrawing: neighbours that share a whole side stay as they are") {
+    const Document document =
+        documentOf({square({0, 0}, 2), square({2, 0}, 2), makeShape(ShapeKind::Point, {{7, 7}}, ShapeUse::Constraint)});
+    const RepairedDrawing result = repaired(document);
+    CHECK(result.left.empty());
+    REQUIRE(result.document.shapes.size() == 2);
+    CHECK(result.document.shapes[0] == document.shapes[0]);
+    CHECK(result.document.shapes[1] == document.shapes[1]);
 }
 
 TEST_CASE("repairDrawing: a valid drawing has no changes; an open one keeps its fault") {
