@@ -108,7 +108,8 @@ TEST_CASE("Film: the label of a candidate ends with its verdict, unless it was n
     std::size_t verdicts = 0;
     for (std::uint64_t advance = 1; advance <= 30; ++advance) {
         const FilmScene scene = moment_pictures::sceneAt(stepper, advance);
-        const std::vector<CandidateTrace> &candidates = stepper.explanation()->candidates;
+        const std::shared_ptr<const AdvanceExplanation> told = stepper.explanation();
+        const std::vector<CandidateTrace> &candidates = told->candidates;
         for (std::size_t k = 0; k < candidates.size(); ++k) {
             const auto label = std::ranges::find_if(scene.texts, [&](const FilmText &text) {
                 return text.place && text.text.starts_with(std::to_string(k + 1) + ": ");

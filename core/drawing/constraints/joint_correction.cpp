@@ -193,9 +193,8 @@ class JointCorrection::State {
                 continue;
             }
             changed.shapes.push_back(now);
-            const std::shared_ptr<const Shape> then =
-                at < start_->shapes.size() ? atStart(start_->shapes[at], now) : now;
-            if (at != s || then != start_->shapes[at]) {
+            const bool isNew = at == start_->shapes.size();
+            if (isNew || at != s || atStart(start_->shapes[at], now) != start_->shapes[at]) {
                 start = start ? std::move(start) : std::optional(startOf(moved));
             }
         }
