@@ -1,13 +1,12 @@
 #include "core/engine/mesh/even_jacobians.hpp"
 
+#include "core/engine/geometry/compass.hpp"
 #include "core/engine/mesh/jacobian.hpp"
 #include "core/engine/mesh/placed_cell.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -183,22 +182,13 @@ class JacobianSmoothing {
         constexpr unsigned kSteps = 16;
         constexpr double kFirstStep = 0.1; // in edges
         constexpr double kGain = 1e-6;     // relative
-        constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
-        constexpr std::array<Vec2, 8> kDirections = {{{1, 0},
-                                                      {kDiagonal, kDiagonal},
-                                                      {0, 1},
-                                                      {-kDiagonal, kDiagonal},
-                                                      {-1, 0},
-                                                      {-kDiagonal, -kDiagonal},
-                                                      {0, -1},
-                                                      {kDiagonal, -kDiagonal}}};
         const double kept = std::min(leastShapeAround(node), kKeptShape);
         double best = lossAround(node), step = kFirstStep * meanEdgeAt(node);
         bool moved = false;
         for (unsigned t = 0; t < kSteps && best > 0.0; ++t) {
             const Vec2 start = placeOf(node);
             Vec2 place = start;
-            for (const Vec2 direction : kDirections) {
+            for (const Vec2 direction : kCompass) {
                 placeOf(node) = start + step * direction;
                 if (const double loss = lossAround(node);
                     loss < (1.0 - kGain) * best && leastShapeAround(node) >= kept) {

@@ -1,5 +1,7 @@
 #include "core/engine/quads/quad_smooth.hpp"
 
+#include "core/engine/geometry/compass.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -79,22 +81,13 @@ bool polishNode(QuadWorkspace &mesh, std::uint32_t node, double limit) {
     constexpr unsigned kSteps = 12;
     constexpr double kFirstStep = 0.1; // in ρ
     constexpr double kGain = 1e-6;
-    constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
-    constexpr std::array<Vec2, 8> kDirections = {{{1, 0},
-                                                  {kDiagonal, kDiagonal},
-                                                  {0, 1},
-                                                  {-kDiagonal, kDiagonal},
-                                                  {-1, 0},
-                                                  {-kDiagonal, -kDiagonal},
-                                                  {0, -1},
-                                                  {kDiagonal, -kDiagonal}}};
     bool moved = false;
     double best = isFree(mesh, node) ? mesh.leastAround(node) : limit;
     double step = kFirstStep * double{mesh.rho[node]};
     for (unsigned t = 0; t < kSteps && best < limit; ++t) {
         const Vec2 start = mesh.nodes[node];
         Vec2 place = start;
-        for (const Vec2 d : kDirections) {
+        for (const Vec2 d : kCompass) {
             mesh.nodes[node] = start + step * d;
             const double least = mesh.leastAround(node);
             if (least > best + kGain) {
