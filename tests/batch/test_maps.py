@@ -143,7 +143,7 @@ class Maps(Case):
         self.assertIn("EPSG:999999", wrong)
         for other in ("EPSG:4978", "EPSG:5703"):  # from the middle of the earth; heights alone
             wrong = self.call("mesh", "map.kml", "--projection", other, "-o", "a.msh", code=1).stderr
-            self.assertIn(f"'{other}' is none of a map", wrong)
+            self.assertIn(f"'{other}' is not for maps", wrong)
 
     def test_names_and_sizes_come_from_attributes(self):
         self.convert("map.gpkg")

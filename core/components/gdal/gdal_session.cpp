@@ -68,7 +68,7 @@ ReferenceSystem Session::named(const std::string &name) {
         return {};
     }
     if (OSRIsProjected(system.get()) == 0 && OSRIsGeographic(system.get()) == 0 && OSRIsLocal(system.get()) == 0) {
-        fail("the coordinate reference system '" + name + "' is none of a map",
+        fail("the coordinate reference system '" + name + "' is not for maps",
              "expected one with longitudes and latitudes or with coordinates in a plane");
         return {};
     }
