@@ -345,6 +345,8 @@ TEST_CASE("Lessons: the panels that a page is about have room at 1280 by 800, an
     CHECK(keeper.context().widgets.find("panel/rules")->rect.y == heading.y); // stays where it is while stepping
     keeper.open("10-dynamic-grid", 5); // what was opened there does not take its room
     CHECK(isInSight("steps/5"));
+    keeper.turnTo(6);
+    CHECK(isInSight("steps/5"));
     CHECK(isInSight("statistics/cells"));
     keeper.open("9-adaptive", 7);
     CHECK(isInSight("adapt/start"));
