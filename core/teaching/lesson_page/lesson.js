@@ -28,7 +28,7 @@
 
   /** Returns the document of the player with a run. */
   const playerOf = (run) => '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"></head><body>' +
-    $('player-parts').innerHTML.replace('<!--run-->', () => '<script type="application/json" id="run">' + $('run' + run).textContent + '<' + '/script>') +
+    $('player-parts').innerHTML.replace('<!--style-->', () => '<style>' + $('player-style').textContent + '</style>').replace('<!--run-->', () => '<script type="application/json" id="run">' + $('run' + run).textContent + '<' + '/script>') +
     '</body></html>';
   const tellTheme = () => {
     if (ready) { player.contentWindow.postMessage({ forefront: 'theme', light: document.documentElement.classList.contains('light') }, '*'); }

@@ -309,12 +309,12 @@ void writeHead(TextWriter &out, const std::string &title) {
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta name=\"generator\" content=\"Forefront\">\n<title>"
-        << htmlText(title) << "</title>\n<style>\n"
-        << playerStyle() << lessonStyle() << "</style>\n</head>\n<body>\n"
+        << htmlText(title) << "</title>\n<style id=\"player-style\">\n"
+        << playerStyle() << "</style>\n<style>\n"
+        << lessonStyle() << "</style>\n</head>\n<body>\n"
         << lessonBody();
-    // The player is a document of its own in a frame; its parts are kept here, inert.
-    out << "<template id=\"player-parts\"><style>\n"
-        << playerStyle() << "</style>\n"
+    // The player is a document of its own in a frame; its parts are kept here, inert. It has the style of this page.
+    out << "<template id=\"player-parts\"><!--style-->\n"
         << playerBody() << "<!--run--><script>\n"
         << playerScript() << "</script></template>\n";
 }
