@@ -1,3 +1,4 @@
+#include "core/drawing/domain/divide_at_joints.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/domain/domain_sources.hpp"
 #include "core/drawing/domain/neighbour_sides.hpp"
@@ -40,6 +41,7 @@ class DocumentDomain {
         domain_.boundaryNames = document_.boundaryNames;
         domain_.regionNames = document_.regionNames;
         domain_.curveTolerance = document_.curveTolerance;
+        divideJoined();
         joinNeighbours();
         if (flattened_) {
             refineMeetingChords(domain_, sources_);
@@ -51,11 +53,9 @@ class DocumentDomain {
     std::vector<std::uint32_t> elements() const {
         std::vector<std::uint32_t> list;
         for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
-            const auto [shape, segment] = sources_->segments[s];
-            const auto counts = counts_.find(shape);
-            if (counts != counts_.end() && counts->second[segment] > 0) {
+            if (const std::uint32_t count = elementsOf(static_cast<std::uint32_t>(s)); count > 0) {
                 list.resize(sources_->segments.size());
-                list[s] = counts->second[segment];
+                list[s] = count;
             }
         }
         return list;
@@ -108,6 +108,7 @@ class DocumentDomain {
             const std::uint32_t node = addNode(shape.nodes[k], {number, k});
             if (k == 0 && shape.use == ShapeUse::Constraint) {
                 domain_.points.push_back({node, shape.tag});
+                joints_.push_back({node, number});
                 if (sources_ != nullptr) {
                     sources_->points.push_back({number, 0});
                 }
@@ -163,11 +164,45 @@ class DocumentDomain {
                 }
                 stretch.curve = static_cast<std::uint32_t>(domain_.curves.size() - 1);
             }
+            if (!stretch.follows() || stretch.t0 == 0.0) {
+                joints_.push_back({ids[k], number});
+            }
             domain_.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1],
                                         segmentTag(shape, outline.part(segment)), role, stretch});
+            shapes_.push_back(number);
             if (sources_ != nullptr) {
                 sources_->segments.push_back({number, segment});
             }
+        }
+        if (!outline.closed && !ids.empty()) {
+            joints_.push_back({ids.back(), number});
+        }
+    }
+
+    /// Divides what the nodes of other shapes lie on.
+    void divideJoined() {
+        std::vector<std::uint32_t> whole = elements();
+        const std::vector<ElementBias> bias = biases();
+        for (std::size_t s = 0; s < bias.size(); ++s) {
+            whole[s] = bias[s].any() ? 1 : whole[s]; // parts of it could not keep the bias
+        }
+        DividedSegments divided = divideAtJoints(domain_, joints_, shapes_, whole);
+        if (divided.given.empty()) {
+            return;
+        }
+        shares_ = std::move(divided.elements);
+        if (sources_ != nullptr) {
+            const std::vector<ShapeNode> old = std::exchange(sources_->segments, {});
+            for (const std::uint32_t s : divided.given) {
+                sources_->segments.push_back(old[s]);
+            }
+        }
+        const auto placeOf = [&](std::uint32_t segment) {
+            const auto found = std::lower_bound(divided.given.begin(), divided.given.end(), segment);
+            return static_cast<std::uint32_t>(found - divided.given.begin());
+        };
+        for (DrawnLoop &loop : loops_) {
+            loop = {placeOf(loop.first), placeOf(loop.end)};
         }
     }
 
@@ -185,12 +220,24 @@ class DocumentDomain {
             const auto isDropped = [&](const auto &list) {
                 return [&](const auto &item) { return dropped[static_cast<std::size_t>(&item - list.data())]; };
             };
-            // The second list has its items in the same order.
+            // The lists have their items in the same order.
             if (sources_ != nullptr) {
                 std::erase_if(sources_->segments, isDropped(sources_->segments));
             }
+            std::erase_if(shares_, isDropped(shares_));
             std::erase_if(domain_.segments, isDropped(domain_.segments));
         }
+    }
+
+    /// Returns the number of elements along a segment, or along the curve that it is a chord of; 0: as the spacing
+    /// asks.
+    std::uint32_t elementsOf(std::uint32_t segment) const {
+        if (segment < shares_.size() && shares_[segment] != 0) {
+            return shares_[segment];
+        }
+        const auto [shape, part] = sources_->segments[segment];
+        const auto found = counts_.find(shape);
+        return found != counts_.end() ? found->second[part] : 0;
     }
 
     /// Returns true if two segments have the same sizes and numbers of elements of their own. Else neither can do for
@@ -204,7 +251,7 @@ class DocumentDomain {
             const auto found = map.find(at.shape);
             return found != map.end() ? found->second[at.node] : none;
         };
-        return valueAt(counts_, a, std::uint32_t{0}) == valueAt(counts_, b, std::uint32_t{0}) &&
+        return elementsOf(first) == elementsOf(second) &&
                valueAt(sizes_, a, PartSize{0.0, 0.0}) == valueAt(sizes_, b, PartSize{0.0, 0.0});
     }
 
@@ -218,7 +265,10 @@ class DocumentDomain {
     Domain domain_;
     NodeMerger merger_;
     std::vector<DrawnLoop> loops_;
-    bool flattened_ = false; ///< some chords were chosen here, regardless of what is near
+    std::vector<JointNode> joints_;
+    std::vector<std::uint32_t> shapes_; ///< per segment, as drawn
+    std::vector<std::uint32_t> shares_; ///< per segment: see DividedSegments::elements
+    bool flattened_ = false;            ///< some chords were chosen here, regardless of what is near
 };
 
 /// Returns the sizes of the nodes and regions of a document.
