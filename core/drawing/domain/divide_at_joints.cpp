@@ -87,8 +87,8 @@ class JointDivision {
         auto next = divisions_.cbegin();
         for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
             const auto first = next;
-            next =
-                std::find_if(next, divisions_.cend(), [s](const JointPlace &division) { return division.segment != s; });
+            next = std::find_if(next, divisions_.cend(),
+                                [s](const JointPlace &division) { return division.segment != s; });
             addParts(s, {first, next}, segments, result);
         }
         domain_.segments = std::move(segments);
