@@ -64,7 +64,7 @@ TEST_CASE("Divide at joints: a node beyond rounding, one of the same shape and o
             .segments.size();
     };
     CHECK(segmentsWith({4, 2}) == 6);
-    CHECK(segmentsWith({4 - 1e-7, 2}) == 5);
+    CHECK(segmentsWith({4 - 1e-8, 2}) == 5);
     CHECK(segmentsWith({4, 1e-10}) == 5);
     const Document folded = documentOf({makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 4}, {2, 0}})});
     CHECK(toDomain(folded).segments.size() == 4);
@@ -145,4 +145,12 @@ TEST_CASE("Divide at joints: what a constraint holds on a side is meshed after e
     REQUIRE(held.ok());
     held->spacing.size = 1.0;
     CHECK(meshDomain(jobOf(*held)).ok());
+}
+
+TEST_CASE(
+    "Divide at joints: a line along a side, so near that it is on it up to rounding, leaves a valid domain valid") {
+    const Document document = documentOf(
+        {square({0, 0}, 4), makeShape(ShapeKind::Polyline, {{0, 0}, {2, 2e-11}, {4, 0}}, ShapeUse::Constraint)});
+    CHECK(toDomain(document).segments.size() == 6);
+    CHECK(validate(toDomain(document)).empty());
 }

@@ -11,7 +11,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kOnSegment = 1e-9; ///< distance within which a node lies on a segment, in diagonals of the domain
+constexpr double kOnSegment = 1e-10; ///< distance within which a node lies on a segment, in diagonals of the domain
 
 /// A node inside a segment.
 struct JointPlace {
@@ -23,8 +23,8 @@ struct JointPlace {
 class JointDivision {
   public:
     JointDivision(Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
-                  std::span<const std::uint32_t> elements)
-        : domain_(domain), nodes_(nodes), shapes_(shapes), elements_(elements),
+                  std::span<const std::uint32_t> elements, const std::vector<bool> &whole)
+        : domain_(domain), nodes_(nodes), shapes_(shapes), elements_(elements), whole_(whole),
           tolerance_(kOnSegment * domain.bounds().diagonal()) {}
 
     DividedSegments run() {
@@ -56,7 +56,7 @@ class JointDivision {
             boxes.push_back(boxOf(s));
         }
         BoxTree(boxes).join(BoxTree(places), tolerance_, [this](std::uint32_t segment, std::uint32_t joint) {
-            if (shapes_[segment] != nodes_[joint].shape) {
+            if (shapes_[segment] != nodes_[joint].shape && !whole_[segment]) {
                 test(segment, nodes_[joint].node);
             }
             return true;
@@ -146,6 +146,7 @@ class JointDivision {
     std::span<const JointNode> nodes_;
     std::span<const std::uint32_t> shapes_;
     std::span<const std::uint32_t> elements_;
+    const std::vector<bool> &whole_;
     double tolerance_;
     std::vector<JointPlace> divisions_;
 };
@@ -153,8 +154,8 @@ class JointDivision {
 } // namespace
 
 DividedSegments divideAtJoints(Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
-                               std::span<const std::uint32_t> elements) {
-    return JointDivision(domain, nodes, shapes, elements).run();
+                               std::span<const std::uint32_t> elements, const std::vector<bool> &whole) {
+    return JointDivision(domain, nodes, shapes, elements, whole).run();
 }
 
 } // namespace forefront

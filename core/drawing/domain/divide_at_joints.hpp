@@ -21,13 +21,13 @@ struct DividedSegments {
                                          ///< that has a number; else 0
 };
 
-/// Divides segments and curves at the nodes of other shapes that lie on them, within 1e-9 of the domain's diagonal, so
+/// Divides segments and curves at the nodes of other shapes that lie on them, within 1e-10 of the domain's diagonal, so
 /// that what is joined in a drawing is joined in its mesh. The parts of a straight segment with a number of elements
 /// share it by their lengths; such a segment stays whole if it has fewer elements than there would be parts.
 ///
 /// `shapes`, `elements`: per segment, the shape that it comes from and its number of elements, 0: as the spacing asks;
-/// an empty list of elements: none has a number.
+/// an empty list of elements: none has a number. `whole`: the segments that must stay as they are.
 DividedSegments divideAtJoints(Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
-                               std::span<const std::uint32_t> elements);
+                               std::span<const std::uint32_t> elements, const std::vector<bool> &whole);
 
 } // namespace forefront

@@ -1,5 +1,8 @@
 #include "core/drawing/domain/neighbour_sides.hpp"
 
+#include "core/engine/base/ids.hpp"
+#include "core/engine/base/key_order.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
@@ -165,6 +168,35 @@ class SideFinder {
 
 std::vector<NeighbourSide> neighbourSides(const Domain &domain, std::span<const SegmentRun> loops) {
     return SideFinder(domain, loops).run();
+}
+
+std::vector<std::uint32_t> drawnTwice(const Domain &domain, std::span<const SegmentRun> loops,
+                                      std::span<const std::uint32_t> given) {
+    std::vector<bool> dropped(domain.segments.size(), false);
+    for (const NeighbourSide &side : neighbourSides(domain, loops)) {
+        std::fill(dropped.begin() + side.dropped.first, dropped.begin() + side.dropped.end, true);
+    }
+    std::vector<std::uint64_t> ends;
+    for (std::size_t s = 0; s < dropped.size(); ++s) {
+        const auto [low, high] = std::minmax(domain.segments[s].a, domain.segments[s].b);
+        ends.push_back(dropped[s] ? pairKey(kNoIndex, kNoIndex) : pairKey(low, high));
+    }
+    const auto isPart = [&](std::uint32_t s) {
+        return (s > 0 && given[s - 1] == given[s]) || (s + 1 < given.size() && given[s + 1] == given[s]);
+    };
+    std::vector<std::uint32_t> twice;
+    const std::vector<std::uint32_t> order = orderByKeys(ends);
+    for (std::size_t k = 1; k < order.size(); ++k) {
+        const std::uint32_t s = order[k - 1], next = order[k];
+        if (ends[s] == ends[next] && !dropped[s]) {
+            for (const std::uint32_t part : {s, next}) {
+                if (isPart(part)) {
+                    twice.push_back(given[part]);
+                }
+            }
+        }
+    }
+    return twice;
 }
 
 } // namespace forefront

@@ -27,4 +27,9 @@ struct NeighbourSide {
 /// `loops`: the segments of each closed shape, in order; each has one role. In the order of the dropped segments.
 std::vector<NeighbourSide> neighbourSides(const Domain &domain, std::span<const SegmentRun> loops);
 
+/// Returns the divided segments, by their indices in `given`, of which a part joins the same nodes as another segment
+/// although neighbourSides() does not make them one. `given`: see DividedSegments.
+std::vector<std::uint32_t> drawnTwice(const Domain &domain, std::span<const SegmentRun> loops,
+                                      std::span<const std::uint32_t> given);
+
 } // namespace forefront

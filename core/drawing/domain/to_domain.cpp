@@ -172,30 +172,55 @@ class DocumentDomain {
         }
     }
 
-    /// Divides what the nodes of other shapes lie on.
+    /// Divides what the nodes of other shapes lie on, unless a part would then be there twice: as where a line runs so
+    /// close to a side that it is on the side up to rounding, and yet is another.
     void divideJoined() {
-        std::vector<std::uint32_t> whole = elements();
+        const std::vector<std::uint32_t> counts = elements();
+        std::vector<bool> whole(domain_.segments.size(), false);
         const std::vector<ElementBias> bias = biases();
         for (std::size_t s = 0; s < bias.size(); ++s) {
-            whole[s] = bias[s].any() ? 1 : whole[s]; // parts of it could not keep the bias
+            whole[s] = bias[s].any() && !domain_.segments[s].stretch.follows(); // parts could not keep the bias
         }
-        DividedSegments divided = divideAtJoints(domain_, joints_, shapes_, whole);
-        if (divided.given.empty()) {
-            return;
-        }
-        shares_ = std::move(divided.elements);
-        if (sources_ != nullptr) {
-            const std::vector<ShapeNode> old = std::exchange(sources_->segments, {});
-            for (const std::uint32_t s : divided.given) {
-                sources_->segments.push_back(old[s]);
+        for (int round = 0; round < kMaxDivisions; ++round) {
+            Domain divided = domain_;
+            const DividedSegments parts = divideAtJoints(divided, joints_, shapes_, counts, whole);
+            if (parts.given.empty()) {
+                return;
+            }
+            const std::vector<SegmentRun> loops = loopsIn(parts);
+            const std::vector<std::uint32_t> twice = drawnTwice(divided, loops, parts.given);
+            if (twice.empty()) {
+                takeDivision(std::move(divided), parts, loops);
+                return;
+            }
+            for (const std::uint32_t s : twice) {
+                whole[s] = true;
             }
         }
+    }
+
+    /// Returns the loops after a division.
+    std::vector<SegmentRun> loopsIn(const DividedSegments &parts) const {
         const auto placeOf = [&](std::uint32_t segment) {
-            const auto found = std::lower_bound(divided.given.begin(), divided.given.end(), segment);
-            return static_cast<std::uint32_t>(found - divided.given.begin());
+            const auto found = std::lower_bound(parts.given.begin(), parts.given.end(), segment);
+            return static_cast<std::uint32_t>(found - parts.given.begin());
         };
-        for (SegmentRun &loop : loops_) {
+        std::vector<SegmentRun> loops = loops_;
+        for (SegmentRun &loop : loops) {
             loop = {placeOf(loop.first), placeOf(loop.end)};
+        }
+        return loops;
+    }
+
+    void takeDivision(Domain divided, const DividedSegments &parts, const std::vector<SegmentRun> &loops) {
+        domain_ = std::move(divided);
+        loops_ = loops;
+        shares_ = parts.elements;
+        if (sources_ != nullptr) {
+            const std::vector<ShapeNode> old = std::exchange(sources_->segments, {});
+            for (const std::uint32_t s : parts.given) {
+                sources_->segments.push_back(old[s]);
+            }
         }
     }
 
@@ -308,6 +333,8 @@ class DocumentDomain {
                                                !biasOf(second.first).any());
         return counted && elements == elementsOf(second.first) && sizeOf(first.first) == sizeOf(second.first);
     }
+
+    static constexpr int kMaxDivisions = 8; ///< attempts
 
     const Document &document_;
     std::map<std::int32_t, PartSegments> counted_;
