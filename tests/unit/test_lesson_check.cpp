@@ -244,6 +244,6 @@ TEST_CASE("Lesson page: has the values, the right answers and the moments of its
     const std::string &page = sink.text;
     CHECK(page.find("\"run\":0,\"at\":[2,0,0]") != std::string::npos);
     CHECK(page.find("\"done\":[[3,0,0,-1,0],[3,1,0,-1,0]]") != std::string::npos);
-    CHECK(page.find("\\u003c/script>") != std::string::npos);
+    CHECK(page.find("&lt;/script&gt;") != std::string::npos);
     CHECK(page.find("http") == std::string::npos);
 }
