@@ -1165,10 +1165,12 @@ class Imports(Case):
     def test_options_without_effect_are_refused(self):
         self.write("a.svg", '<svg viewBox="0 0 4 3"><rect width="4" height="3"/></svg>')
         self.write("plate.json", PROJECT)
+        self.write("disc.dxf", "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n5\n20\n1\n40\n0.7\n0\nENDSEC\n0\nEOF\n")
         self.call("mesh", "plate.poly", "-o", "a.msh", "-q")
         for command, file, options in (
                 ("mesh", "plate.poly", ["--overlap", "later"]), ("mesh", "a.svg", ["--overlap", "smaller"]),
                 ("mesh", "plate.poly", ["--drop-lines"]), ("mesh", "plate.json", ["--drop-lines"]),
+                ("mesh", "disc.dxf", ["--drop-lines"]),
                 ("mesh", "plate.poly", ["--beyond-page"]), ("mesh", "plate.poly", ["--stroke-areas"]),
                 ("mesh", "plate.poly", ["--shape-regions"]), ("mesh", "a.svg", ["--allow-degrees"]),
                 ("film", "plate.poly", ["--layer", "x"])):
