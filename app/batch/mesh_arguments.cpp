@@ -246,7 +246,8 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
         ->check(positiveNumber())
         ->type_name("G");
     app.add_option("--segments-per-turn", arguments.segmentsPerTurn,
-                   "elements per full turn of a curve; 0: only the chord tolerance counts; default: 40 with automatic "
+                   "elements per full turn of a curve, within 2 %; 0: only the chord tolerance counts; default: 40 "
+                   "with automatic "
                    "spacing, else 0")
         ->check(nonNegativeNumber())
         ->type_name("N");

@@ -326,6 +326,12 @@ class Meshing(Case):
         self.assertLess(edges["0"], 80)
         self.assertTrue(98 <= edges["100"] <= 110, edges)
         self.assertTrue(196 <= edges["200"] <= 220, edges)
+        # A CAD drawing with few, long arcs, and the sizes of an automatic spacing beside them.
+        arcs = [f"0\nARC\n8\nA\n10\n0\n20\n0\n40\n3\n50\n{180 * k}\n51\n{180 * (k + 1)}\n" for k in range(2)]
+        self.write("disc.dxf", "0\nSECTION\n2\nENTITIES\n" + "".join(arcs) + "0\nENDSEC\n0\nEOF\n")
+        for turn in (100, 400, 1000):
+            [rim] = self.stats("disc.dxf", "--segments-per-turn", str(turn))["boundaries"]
+            self.assertAlmostEqual(rim["edges"] / turn, 1, delta=0.02)
 
     def test_narrow_places_get_the_number_of_elements_across(self):
         self.write("channel.poly", poly([[(0, 0), (20, 0), (20, 1), (0, 1)]], []))
