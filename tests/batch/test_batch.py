@@ -172,6 +172,9 @@ class Meshing(Case):
         self.assertEqual([place["by"] for place in angles["forced"]], ["corner"] * len(angles["forced"]))
         done = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "30")
         self.assertIn("least angle: 3", done.stdout)
+        few = self.stats("wedge.poly", "--min-angle", "30", "--size-from-boundary", "--gradation", "0.7")
+        self.assertGreaterEqual(few["least_angle"]["reached"], 30.0)
+        self.assertLess(4 * few["elements"], stats["elements"])
         refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "40", code=1)
         self.assertIn("expected above 0 and at most 33", refused.stderr)
         refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "20", "--elements", "quads", code=1)
@@ -1737,8 +1740,8 @@ class Refusing(Case):
 
     def test_options_that_exclude_each_other_are_named(self):
         both = self.call("mesh", "plate.poly", "-o", "a.msh", "--size", "1", "--spacing", "x", code=2).stderr
-        self.assertEqual(both.splitlines()[0], "forefront mesh: only one of --size, --spacing, --size-preset, --spacing-file can "
-                         "be given, got --size, --spacing")
+        self.assertEqual(both.splitlines()[0], "forefront mesh: only one of --size, --spacing, --size-preset, --spacing-file, "
+                         "--size-from-boundary can be given, got --size, --spacing")
         neither = self.call("adapt", "plate.msh", "--error", "0.1", "-o", "a.msh", code=2).stderr
         self.assertEqual(neither.splitlines()[0],
                          "forefront adapt: missing option; add one of --field, --expression")
