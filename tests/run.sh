@@ -14,6 +14,8 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
+# shellcheck source=app/usage.sh
+. "$root/app/usage.sh"
 quick=no
 thorough=no
 case ${1-} in
@@ -22,13 +24,9 @@ case ${1-} in
 --thorough)
     thorough=yes
     ;;
--h | --help)
-    sed -n '2,14s/^# \{0,1\}//p' "$0"
-    exit 0
-    ;;
 *)
-    echo "run.sh: unknown option $1 (see --help)" >&2
-    exit 2
+    offer_help "$1"
+    wrong_usage "unknown option $1"
     ;;
 esac
 
@@ -135,7 +133,7 @@ if [ $quick = no ]; then
         step 'build Debian packages' sh app/package.sh
         step 'packages in a bare Debian 12' sh tests/package/bare_root.sh
     else
-        step 'changed sources compiled alone' sh tests/alone.sh
+        step 'changed sources compiled alone' sh tests/alone.sh --after-tidy
     fi
 fi
 finish

@@ -8,17 +8,15 @@
 #   --without-wine   only build
 set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
+# shellcheck source=app/usage.sh
+. "$root/app/usage.sh"
 wine=yes
 for option in "$@"; do
     case $option in
     --without-wine) wine= ;;
-    -h | --help)
-        sed -n '2,8s/^# \{0,1\}//p' "$0"
-        exit 0
-        ;;
     *)
-        echo "build.sh: unknown option $option (see --help)" >&2
-        exit 2
+        offer_help "$option"
+        wrong_usage "unknown option $option"
         ;;
     esac
 done

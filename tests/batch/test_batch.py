@@ -172,6 +172,9 @@ class Meshing(Case):
         self.assertEqual([place["by"] for place in angles["forced"]], ["corner"] * len(angles["forced"]))
         done = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "30")
         self.assertIn("least angle: 3", done.stdout)
+        few = self.stats("wedge.poly", "--min-angle", "30", "--size-from-boundary", "--gradation", "0.7")
+        self.assertGreaterEqual(few["least_angle"]["reached"], 30.0)
+        self.assertLess(4 * few["elements"], stats["elements"])
         refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "40", code=1)
         self.assertIn("expected above 0 and at most 33", refused.stderr)
         refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "20", "--elements", "quads", code=1)
@@ -326,6 +329,12 @@ class Meshing(Case):
         self.assertLess(edges["0"], 80)
         self.assertTrue(98 <= edges["100"] <= 110, edges)
         self.assertTrue(196 <= edges["200"] <= 220, edges)
+        # A CAD drawing with few, long arcs, and the sizes of an automatic spacing beside them.
+        arcs = [f"0\nARC\n8\nA\n10\n0\n20\n0\n40\n3\n50\n{180 * k}\n51\n{180 * (k + 1)}\n" for k in range(2)]
+        self.write("disc.dxf", "0\nSECTION\n2\nENTITIES\n" + "".join(arcs) + "0\nENDSEC\n0\nEOF\n")
+        for turn in (100, 400, 1000):
+            [rim] = self.stats("disc.dxf", "--segments-per-turn", str(turn))["boundaries"]
+            self.assertAlmostEqual(rim["edges"] / turn, 1, delta=0.02)
 
     def test_narrow_places_get_the_number_of_elements_across(self):
         self.write("channel.poly", poly([[(0, 0), (20, 0), (20, 1), (0, 1)]], []))
@@ -1165,10 +1174,12 @@ class Imports(Case):
     def test_options_without_effect_are_refused(self):
         self.write("a.svg", '<svg viewBox="0 0 4 3"><rect width="4" height="3"/></svg>')
         self.write("plate.json", PROJECT)
+        self.write("disc.dxf", "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n5\n20\n1\n40\n0.7\n0\nENDSEC\n0\nEOF\n")
         self.call("mesh", "plate.poly", "-o", "a.msh", "-q")
         for command, file, options in (
                 ("mesh", "plate.poly", ["--overlap", "later"]), ("mesh", "a.svg", ["--overlap", "smaller"]),
                 ("mesh", "plate.poly", ["--drop-lines"]), ("mesh", "plate.json", ["--drop-lines"]),
+                ("mesh", "disc.dxf", ["--drop-lines"]),
                 ("mesh", "plate.poly", ["--beyond-page"]), ("mesh", "plate.poly", ["--stroke-areas"]),
                 ("mesh", "plate.poly", ["--shape-regions"]), ("mesh", "a.svg", ["--allow-degrees"]),
                 ("film", "plate.poly", ["--layer", "x"])):
@@ -1729,8 +1740,8 @@ class Refusing(Case):
 
     def test_options_that_exclude_each_other_are_named(self):
         both = self.call("mesh", "plate.poly", "-o", "a.msh", "--size", "1", "--spacing", "x", code=2).stderr
-        self.assertEqual(both.splitlines()[0], "forefront mesh: only one of --size, --spacing, --size-preset, --spacing-file can "
-                         "be given, got --size, --spacing")
+        self.assertEqual(both.splitlines()[0], "forefront mesh: only one of --size, --spacing, --size-preset, --spacing-file, "
+                         "--size-from-boundary can be given, got --size, --spacing")
         neither = self.call("adapt", "plate.msh", "--error", "0.1", "-o", "a.msh", code=2).stderr
         self.assertEqual(neither.splitlines()[0],
                          "forefront adapt: missing option; add one of --field, --expression")

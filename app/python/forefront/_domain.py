@@ -144,11 +144,12 @@ class Domain(_core.DomainBase):
         """Reads a domain with its sizes from a path, an open file or bytes.
 
         Projects, DXF, SVG, GeoJSON, TopoJSON, well-known text, .poly, CSV, airfoils, FEMM and the outlines of
-        meshes. format: an id of :func:`formats`; None: by
-        content, then by extension. Options, as of the batch program: curve_tolerance, weld, layer, names, sizes, projection,
-        overlap ("later" or "smaller": the polygon of a map that wins where two overlap), strict, beyond_page, drop_lines, stroke_areas, shape_regions, white_holes, degrees ("warn", "keep" or "local"),
-        parameters (a dict of expressions), parts ({name: (start, end)}, as :meth:`name_part` takes them, with places in
-        the coordinates of the file). ``notes`` of the domain lists what the reader did not use.
+        meshes. format: an id of :func:`formats`; None: by content, then by extension. Options, as of the batch program:
+        curve_tolerance, weld, layer, names, sizes, projection, overlap ("later" or "smaller": the polygon of a map that
+        wins where two overlap), strict, beyond_page, drop_lines, stroke_areas, shape_regions, white_holes, degrees
+        ("warn", "keep" or "local"), parameters (a dict of expressions), parts ({name: (start, end)}, as :meth:`name_part`
+        takes them, with places in the coordinates of the file). Raises ValueError for an option that the format lacks.
+        ``notes`` of the domain lists what the reader did not use.
         """
         source, identifier = source_of(file, format)
         return cls(_core.read_domain(source, identifier, options))

@@ -8,6 +8,7 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/reader_options.hpp"
 #include "core/files/files.hpp"
 
 #include <array>
@@ -17,6 +18,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <string>
+#include <utility>
 
 namespace forefront::python {
 
@@ -98,6 +100,36 @@ void setImportOptions(ImportOptions &options, const py::dict &given) {
     }
 }
 
+/// The options of readers that not every format has, by their keywords.
+constexpr std::array kReaderOptions = {
+    std::pair("curve_tolerance", ReaderOption::CurveTolerance),
+    std::pair("weld", ReaderOption::Weld),
+    std::pair("layer", ReaderOption::Layer),
+    std::pair("names", ReaderOption::NameProperty),
+    std::pair("sizes", ReaderOption::SizeProperty),
+    std::pair("projection", ReaderOption::Projection),
+    std::pair("overlap", ReaderOption::Overlap),
+    std::pair("beyond_page", ReaderOption::BeyondPage),
+    std::pair("drop_lines", ReaderOption::DropLines),
+    std::pair("stroke_areas", ReaderOption::StrokeAreas),
+    std::pair("shape_regions", ReaderOption::ShapeRegions),
+    std::pair("white_holes", ReaderOption::WhiteHoles),
+    std::pair("degrees", ReaderOption::Degrees),
+    std::pair("parts", ReaderOption::PartNames),
+    std::pair("parameters", ReaderOption::Parameters),
+};
+
+/// Refuses options that the reader of a format would ignore.
+void refuseOptionsWithout(const FileFormat &format, const py::dict &given) {
+    for (const auto &[name, option] : kReaderOptions) {
+        const std::string reason = given.contains(name) ? reasonWithout(option, format) : std::string();
+        if (!reason.empty()) {
+            throw py::value_error(std::string(name) + ": " + reason +
+                                  (option == ReaderOption::Weld ? "; repair() joins nearby nodes and segments" : ""));
+        }
+    }
+}
+
 /// Returns the format of a file; null if it is unknown.
 const FileFormat *formatOf(const PythonFile &file) {
     return !file.options.formatId.empty() ? allFormats().withId(file.options.formatId)
@@ -140,6 +172,9 @@ bool namesPartsItself(const PythonFile &file) {
 PythonDomain readDomainOf(const py::object &source, const std::string &format, const py::dict &given) {
     PythonFile file = fileOf(source, format);
     setImportOptions(file.options, given);
+    if (const FileFormat *const known = formatOf(file); known != nullptr) {
+        refuseOptionsWithout(*known, given);
+    }
     file.options.progress = progressOf(py::none());
     ImportNotes notes;
     PythonDomain domain = valueOrRaise(withoutGil([&] { return readDomainFile(file, notes); }));
@@ -174,6 +209,11 @@ py::tuple readMeshOf(const py::object &source, const std::string &format) {
 SpacingSpec readSizes(const py::object &source, const std::string &format,
                       const std::optional<std::array<double, 6>> &picture) {
     PythonFile file = fileOf(source, format);
+    if (const FileFormat *const known = formatOf(file);
+        picture && known != nullptr && known->kind != FileKind::Picture) {
+        throw py::value_error(std::string("black, white, box: only pictures have colours; the file is in the format ") +
+                              known->name);
+    }
     if (picture) {
         const auto &p = *picture;
         file.options.picture = PictureSizes{p[0], p[1], {{p[2], p[3]}, {p[4], p[5]}}, false};

@@ -4,11 +4,15 @@ import json
 import pickle
 import sys
 import types
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import forefront as ff
+
+PLATE = Path(__file__).resolve().parents[3] / "assets" / "samples" / "plate.json"
+CIRCLE = b"0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n5\n20\n1\n40\n0.7\n0\nENDSEC\n0\nEOF\n"
 
 
 @pytest.mark.parametrize("name", ["a.msh", "a.vtu", "a.vtk", "a.mesh", "a.inp", "a.su2", "a.node"])
@@ -66,7 +70,7 @@ def test_the_rule_of_overlaps_is_that_of_the_program(tmp_path):
 
 
 def test_bounds_follow_curves(tmp_path):
-    domain = ff.Domain.read(b"0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n5\n20\n1\n40\n0.7\n0\nENDSEC\n0\nEOF\n", "dxf")
+    domain = ff.Domain.read(CIRCLE, "dxf")
     assert domain.bounds == pytest.approx((4.3, 0.3, 5.7, 1.7), abs=1e-12)
 
 
@@ -144,6 +148,39 @@ def map_in_degrees(size):
     """A field of 0.02 x 0.01 degrees at 60 degrees of latitude, some 1110 x 1110 m, with an element size."""
     return ('{"type": "Feature", "properties": {"name": "field", "h": %s}, "geometry": {"type": "Polygon", "coordinates": '
             '[[[25, 60], [25.02, 60], [25.02, 60.01], [25, 60.01], [25, 60]]]}}' % size).encode()
+
+
+POLY = b"3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n"
+PLAIN = [("poly", POLY), ("wkt", b"POLYGON ((0 0, 1 0, 0 1, 0 0))"), ("geojson", map_in_degrees(1))]
+
+
+@pytest.mark.parametrize("option, value, formats", [
+    ("layer", "a", "poly wkt geojson"), ("names", "name", "poly wkt"), ("sizes", "h", "poly wkt"),
+    ("projection", "EPSG:3067", "poly wkt"), ("overlap", "smaller", "poly wkt"), ("degrees", "keep", "poly wkt"),
+    ("weld", 1e-6, "poly"), ("curve_tolerance", 0.1, "poly wkt geojson"), ("drop_lines", True, "poly"),
+    ("beyond_page", True, "poly wkt geojson"), ("stroke_areas", True, "poly wkt geojson"),
+    ("shape_regions", True, "poly wkt geojson"), ("white_holes", False, "poly wkt geojson"),
+    ("parameters", {"r": "1"}, "poly wkt geojson")])
+def test_options_that_a_format_lacks_are_refused(option, value, formats):
+    names = {"poly": "Triangle domain", "wkt": "well-known text", "geojson": "GeoJSON"}
+    for known, content in PLAIN:
+        if known in formats.split():
+            with pytest.raises(ValueError, match=f"^{option}: .*{names[known]}"):
+                ff.Domain.read(content, known, **{option: value})
+        elif (known, option) != ("geojson", "projection"):  # which needs a component
+            ff.Domain.read(content, known, **{option: value})
+
+
+def test_options_of_projects_drawings_and_pictures_are_refused_elsewhere():
+    with pytest.raises(ValueError, match="^parts: .* Forefront project keep names of their own"):
+        ff.Domain.read(PLATE, parts={"a": ((0, 0), (1, 0))})
+    for option in ("drop_lines", "shape_regions"):
+        with pytest.raises(ValueError, match=f"^{option}: only .*; the file is in the format DXF drawing"):
+            ff.Domain.read(CIRCLE, "dxf", **{option: True})
+    assert ff.Domain.read(CIRCLE, "dxf", curve_tolerance=0.1, layer="A", weld=0.01).bounds == pytest.approx((4.3, 0.3, 5.7, 1.7))
+    grid = b"ncols 2\nnrows 2\nxllcorner -1\nyllcorner -1\ncellsize 2\n0.1 0.2\n0.1 0.2\n"
+    with pytest.raises(ValueError, match="black, white, box: only pictures have colours; .* ESRI ASCII grid"):
+        ff.read_sizes(grid, "esri", black=1, white=2, box=(0, 0, 1, 1))
 
 
 def test_maps_are_read_with_sizes_and_projected(tmp_path):
