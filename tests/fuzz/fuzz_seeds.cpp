@@ -2,6 +2,7 @@
 #include "core/files/files.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/text/base64.hpp"
+#include "tests/fuzz/fuzz_runs.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
 #include "tests/support/png_sample.hpp"
 
@@ -357,6 +358,8 @@ std::vector<std::string> seeds(const Target &target) {
         const std::string_view name = target.name;
         return name == "lesson"   ? List{std::string(kLesson)}
                : name == "script" ? List{std::string(kScript)}
+               : name == "mesh"   ? meshSeeds()
+               : name == "run"    ? projectSeeds()
                                   : List{anyBytes(1), tinyEdge()};
     }
     std::vector<std::string> list = handMade(target.name);
