@@ -38,8 +38,8 @@ Diagnostics notesOf(const MeshingOutcome &outcome, const MeshingJob &job) {
     Diagnostics notes = outcome.spacing->notes();
     for (const Diagnostics &more :
          {largeElements(outcome.mesh, job.domain, job.spacing.placed.regions), forcedAngles(outcome.leastAngle),
-          flatElements(measureQuality(outcome.mesh, nullptr)), concavePlaces(outcome.quads), straightEdges(outcome.order),
-          shortenedLayers(outcome.layers, outcome.mesh.boundaryNames)}) {
+          flatElements(measureQuality(outcome.mesh, nullptr)), concavePlaces(outcome.quads),
+          straightEdges(outcome.order), shortenedLayers(outcome.layers, outcome.mesh.boundaryNames)}) {
         notes.insert(notes.end(), more.begin(), more.end());
     }
     return notes;
