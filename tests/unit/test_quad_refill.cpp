@@ -1,6 +1,8 @@
 #include "core/engine/quads/polygon_fill.hpp"
 #include "core/engine/quads/quad_refill.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
 #include "tests/support/quad_jobs.hpp"
+#include "tests/support/random_domains.hpp"
 #include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -9,8 +11,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -202,4 +206,33 @@ TEST_CASE("refillPockets: nothing is changed once the run is cancelled") {
     const std::vector<QuadCell> before = mesh.cells;
     CHECK(refillPockets(mesh, Elements::Quads, progress).empty());
     CHECK(mesh.cells == before);
+}
+
+TEST_CASE("refillPockets: a stepped run leads through the mending, forward and back, to the same mesh") {
+    MeshingJob job;
+    job.domain = randomDomain(34); // spikes with tips below a degree
+    job.options.elements = Elements::Quads;
+    MeshStepper stepper = quadStepper(job);
+    stepper.stepImprovement();
+    REQUIRE(stepper.finish());
+    const std::size_t steps = stepper.snapshot()->improveSteps;
+    stepper.seek(stepper.known());
+    std::size_t mended = 0;
+    std::vector<std::uint64_t> hashes{meshHash(stepper.mesh())};
+    for (std::size_t k = 1; k <= steps; ++k) {
+        stepper.step(Granularity::Advance, 1);
+        const std::shared_ptr<const SessionSnapshot> here = stepper.snapshot();
+        REQUIRE(here->improvement);
+        if (here->improvement->change == ImproveChange::Refill && !here->improvement->addedEdges.empty()) {
+            ++mended;
+            CHECK(caption(*here->improvement, steps).find("not convex replaced") != std::string::npos);
+        }
+        hashes.push_back(meshHash(stepper.mesh()));
+    }
+    CHECK(mended > 0);
+    CHECK(hashes.back() == hashOfMeshed(job));
+    for (std::size_t k = steps; k-- > 0;) {
+        stepper.step(Granularity::Advance, -1);
+        REQUIRE(meshHash(stepper.mesh()) == hashes[k]);
+    }
 }
