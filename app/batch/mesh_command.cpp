@@ -177,7 +177,7 @@ int finish(const MeshArguments &arguments, const ReadJob &read, const MeshingOut
     if (!arguments.quiet) {
         printFaults(notes);
         printFaults(flatElements(report.quality));
-        printFaults(notConvex(report.quads));
+        printFaults(concavePlaces(report.quads));
         printFaults(secondOrderNotes(report.order));
         printFaults(shortenedLayers(outcome.layers, outcome.mesh.boundaryNames));
     }

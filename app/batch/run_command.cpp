@@ -198,7 +198,7 @@ class ScriptRun {
         for (const Diagnostics &more :
              {violatedLimits(meshed_->mesh, player_.document().limits, meshed_->spacing.get()),
               largeElements(meshed_->mesh, job.domain, job.spacing.placed.regions), flatElements(report.quality),
-              notConvex(report.quads), secondOrderNotes(report.order)}) {
+              concavePlaces(report.quads), secondOrderNotes(report.order)}) {
             remarks.insert(remarks.end(), more.begin(), more.end());
         }
         return remarks;

@@ -143,22 +143,40 @@ Diagnostics flatElements(const MeshQuality &quality) {
     return found;
 }
 
-Diagnostics notConvex(const QuadReport &quads) {
-    if (quads.notConvexAt.empty()) {
-        return {};
-    }
+namespace {
+
+/// Returns some places as a list, the first five of them.
+std::string listedPlaces(const std::vector<Vec2> &places) {
     constexpr std::size_t kShown = 5;
-    std::string places = ": at " + placeText(quads.notConvexAt.front());
-    for (std::size_t i = 1; i < std::min(quads.notConvexAt.size(), kShown); ++i) {
-        places += ", " + placeText(quads.notConvexAt[i]);
+    std::string list = placeText(places.front());
+    for (std::size_t i = 1; i < std::min(places.size(), kShown); ++i) {
+        list += ", " + placeText(places[i]);
     }
-    Diagnostics found =
-        error("concave-element",
-              std::to_string(quads.notConvex) + (quads.notConvex == 1 ? " quadrilateral has" : " quadrilaterals have") +
-                  " a corner of 180 degrees or more, where the domain is sharp or narrow" + places +
-                  (quads.notConvex > kShown ? " and more" : ""),
-              "choose smaller elements there, or divide them with --elements mixed");
-    found.front().severity = Severity::Warning;
+    return list + (places.size() > kShown ? " and more" : "");
+}
+
+} // namespace
+
+Diagnostics concavePlaces(const QuadReport &quads) {
+    Diagnostics found;
+    if (!quads.notConvexAt.empty()) {
+        found = error("concave-element",
+                      std::to_string(quads.notConvex) +
+                          (quads.notConvex == 1 ? " quadrilateral has" : " quadrilaterals have") +
+                          " a corner of 180 degrees or more, where the domain is sharp or narrow: at " +
+                          listedPlaces(quads.notConvexAt),
+                      "choose smaller elements there, or divide them with --elements mixed");
+        found.front().severity = Severity::Warning;
+    }
+    if (!quads.trianglesAt.empty()) {
+        Diagnostics note = error("triangles-for-quads",
+                                 "triangles take the place of quadrilaterals that would not be convex, where the "
+                                 "domain is sharp or narrow: at " +
+                                     listedPlaces(quads.trianglesAt),
+                                 "choose smaller elements there if only quadrilaterals may remain");
+        note.front().severity = Severity::Note;
+        found.insert(found.end(), note.begin(), note.end());
+    }
     return found;
 }
 

@@ -66,8 +66,9 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// Returns a warning if elements of a mesh are flat; else nothing.
 Diagnostics flatElements(const MeshQuality &quality);
-/// Returns a warning if quadrilaterals of a mesh are not convex; else nothing.
-Diagnostics notConvex(const QuadReport &quads);
+/// Returns a warning on quadrilaterals that are not convex, and a note on triangles that took the place of such, with
+/// their places; nothing if there are none.
+Diagnostics concavePlaces(const QuadReport &quads);
 /// Returns the JSON object that mesh --stats writes.
 std::string statisticsJson(const RunReport &report);
 /// Returns the JSON object that check --stats writes: the verdict, then the figures of the mesh by the same names.

@@ -47,7 +47,7 @@ PythonMesh recombinedMesh(const PythonMesh &self, const std::string &word, const
                                                             " left, where faces have odd numbers of edges, or "
                                                             "lines that must stay meet at flat angles"));
     }
-    const Diagnostics concave = notConvex(report);
+    const Diagnostics concave = concavePlaces(report);
     result.notes.insert(result.notes.end(), concave.begin(), concave.end());
     return result;
 }

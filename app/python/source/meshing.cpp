@@ -39,7 +39,7 @@ Diagnostics notesOf(const MeshingOutcome &outcome, const MeshingJob &job) {
     Diagnostics notes = outcome.spacing->notes();
     for (const Diagnostics &more :
          {largeElements(outcome.mesh, job.domain, job.spacing.placed.regions), forcedAngles(outcome.leastAngle),
-          flatElements(measureQuality(outcome.mesh, nullptr)), notConvex(outcome.quads),
+          flatElements(measureQuality(outcome.mesh, nullptr)), concavePlaces(outcome.quads),
           secondOrderNotes(outcome.order), shortenedLayers(outcome.layers, outcome.mesh.boundaryNames)}) {
         notes.insert(notes.end(), more.begin(), more.end());
     }
