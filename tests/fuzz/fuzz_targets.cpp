@@ -1,6 +1,5 @@
-#include "tests/fuzz/fuzz_targets.hpp"
-
 #include "core/drawing/arrangement/repair/repair.hpp"
+
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
@@ -16,9 +15,14 @@
 #include "core/files/png/png.hpp"
 #include "core/files/triangle/triangle.hpp"
 #include "core/teaching/lesson/lesson_read.hpp"
+#include "core/teaching/lesson_page/math_html.hpp"
+#include "core/teaching/lesson_page/text_html.hpp"
+#include "core/teaching/markup/marked_text.hpp"
+#include "core/teaching/markup/math.hpp"
 #include "tests/fuzz/byte_numbers.hpp"
 #include "tests/fuzz/fuzz_checks.hpp"
 #include "tests/fuzz/fuzz_runs.hpp"
+#include "tests/fuzz/fuzz_targets.hpp"
 #include "tests/support/png_sample.hpp"
 
 #include <algorithm>
@@ -231,6 +235,31 @@ void runRepair(std::string_view bytes) {
     checkRepair(domain, 0.25);
 }
 
+/// Returns true if as many spans of a text of HTML end as begin.
+bool balanced(std::string_view html) {
+    std::size_t open = 0, closed = 0;
+    for (std::size_t at = html.find('<'); at != std::string_view::npos; at = html.find('<', at + 1)) {
+        open += html.substr(at).starts_with("<span") ? 1U : 0U;
+        closed += html.substr(at).starts_with("</span>") ? 1U : 0U;
+    }
+    return open == closed;
+}
+
+/// Reads bytes as a formula, and sets it.
+void runMath(std::string_view bytes) {
+    const Result<MathNode> formula = parseMath(bytes);
+    if (!formula) {
+        checkFaults(formula.faults());
+        return;
+    }
+    demand(balanced(mathHtml(*formula, true)), "each element of HTML is closed");
+    std::string pieces;
+    for (const MathNode &piece : brokenMath(*formula)) {
+        pieces += mathHtml(piece, false);
+    }
+    demand(!pieces.empty() || formula->parts.empty(), "the pieces of a formula hold all of it");
+}
+
 void runLesson(std::string_view bytes) {
     const auto lesson = readLesson(sourceOf(bytes), {});
     if (!lesson) {
@@ -241,7 +270,11 @@ void runLesson(std::string_view bytes) {
     const SessionSnapshot run;
     for (const LessonPage &page : lesson->pages) {
         for (const std::string &paragraph : page.paragraphs) {
-            demand(!withValues(paragraph, {run}).empty(), "a paragraph has a text");
+            const std::string shown = withValues(paragraph, {run});
+            demand(!shown.empty(), "a paragraph has a text");
+            demand(parseMarkup(paragraph).ok(), "the markup of a paragraph has been checked");
+            demand(parseMarkup(shown).ok(), "values in a paragraph leave its markup whole");
+            demand(balanced(TextHtml(*lesson).of(shown)), "each element of HTML is closed");
         }
         if (page.question) {
             demand(!page.question->text.empty(), "a question has a text");
@@ -286,6 +319,7 @@ std::vector<Target> listTargets() {
         }
     }
     list.push_back({"lesson", nullptr, runLesson});
+    list.push_back({"math", nullptr, runMath});
     list.push_back({"script", nullptr, runScript});
     list.push_back({"repair", nullptr, runRepair});
     constexpr std::size_t kRuns = 300; // a mesh takes longer than a file

@@ -18,6 +18,7 @@
 #include "ui/workspace/run/adaptation.hpp"
 #include "ui/workspace/run/side_by_side.hpp"
 #include "ui/workspace/view/lesson_room.hpp"
+#include "ui/workspace/view/page_images.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <cstddef>
@@ -66,6 +67,7 @@ struct Shell : Workspace {
     std::vector<LayerSlot> layers;
     std::vector<std::unique_ptr<Panel>> panels;
     LessonRoom lessons;
+    PageImages pageImages{background};
     double drawSeconds = 0.025; ///< per frame for drawing a large mesh; 0: one small piece a frame, for tests
     /// Id of the layer that coloured the canvas before showMeshColours(), or empty for none; absent: it is not in
     /// force.
