@@ -18,6 +18,8 @@
 namespace forefront {
 namespace {
 
+using Role = ShapeUnknown::Role;
+
 /// A number that is not as wanted.
 struct MissedNumber {
     ShapeUnknown unknown;
@@ -52,7 +54,6 @@ std::vector<MissedNumber> missedNumbers(const DocumentSketch &sketch, const Docu
 
 /// Returns numbers of one kind of place, such as "x = 5 and y = 2 of node 3".
 std::string textOf(const Document &document, const std::vector<MissedNumber> &missed) {
-    using Role = ShapeUnknown::Role;
     const ShapeUnknown &first = missed.front().unknown;
     std::string text;
     for (const MissedNumber &number : missed) {

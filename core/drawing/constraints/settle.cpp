@@ -30,6 +30,8 @@
 namespace forefront {
 namespace {
 
+using Role = ShapeUnknown::Role;
+
 /// Returns the ids of constraints that a document does not have in the same form.
 std::set<std::uint32_t> changedConstraints(const Document &before, const Document &next) {
     std::map<std::uint32_t, const SketchConstraint *> known;
@@ -347,7 +349,6 @@ class Settler {
     /// Solves a system without moving nodes in the direction in which the command has left them; none if there is no
     /// such direction or no such solution without flips.
     std::optional<SketchSolution> solveWithPlaced(SketchSystem system) const {
-        using Role = ShapeUnknown::Role;
         bool any = false;
         for (const auto &[unknown, index] : sketch_.unknowns()) {
             if (!moved_[index] || unknown.role > Role::Y || findShape(next_, unknown.shape)->is<RectangleForm>()) {
