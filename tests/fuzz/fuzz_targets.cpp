@@ -1,5 +1,6 @@
-#include "core/drawing/arrangement/repair/repair.hpp"
+#include "tests/fuzz/fuzz_targets.hpp"
 
+#include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
@@ -22,7 +23,6 @@
 #include "tests/fuzz/byte_numbers.hpp"
 #include "tests/fuzz/fuzz_checks.hpp"
 #include "tests/fuzz/fuzz_runs.hpp"
-#include "tests/fuzz/fuzz_targets.hpp"
 #include "tests/support/png_sample.hpp"
 
 #include <algorithm>
