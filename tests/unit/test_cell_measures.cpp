@@ -258,7 +258,7 @@ TEST_CASE("Cell measures: the aspect ratio of boundary layers has a limit of its
     const Mesh isotropic = forefront::testing::meshedJob(job).mesh;
     limits[MeshLimit::MaxLayerAspect] = 60.0;
     CHECK(toString(checkLimits(isotropic, limits, nullptr)[1]) ==
-          "maximum aspect ratio in layers 60: met: there are no boundary layers");
+          "maximum layer aspect 60: met: there are no boundary layers");
     for (const LayerCells cells : {LayerCells::Quads, LayerCells::Triangles}) {
         for (const Elements elements : {Elements::Triangles, Elements::Quads}) {
             job.options.elements = elements;

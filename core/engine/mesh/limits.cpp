@@ -19,7 +19,7 @@ constexpr std::array<LimitInfo, wordsOf<MeshLimit>().size()> kLimitInfos = {{
      "Smallest scaled Jacobian allowed: 1 for equilateral triangles and squares, 0 for flat elements"},
     {"maximum aspect ratio", "maxAspect", Measure::Aspect, false, 1.0, 1e9,
      "Largest ratio allowed of the length of an element to its height, such as along boundary layers"},
-    {"maximum aspect ratio in layers", "maxLayerAspect", Measure::Aspect, false, 1.0, 1e9,
+    {"maximum layer aspect", "maxLayerAspect", Measure::Aspect, false, 1.0, 1e9,
      "Largest ratio allowed of length to height in boundary layers, the flat elements that are stacked on the "
      "boundary; "
      "with it, the maximum aspect ratio is one of the other elements"},
