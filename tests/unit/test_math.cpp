@@ -18,11 +18,11 @@ using namespace forefront;
 namespace {
 
 /// Formulas that show every construct, and how they read.
-struct Sample {
+struct MathSample {
     const char *tex;
     const char *plain;
 };
-constexpr Sample kSamples[] = {
+constexpr MathSample kMathSamples[] = {
     {"x", "x"},
     {"x_1", "x_1"},
     {"x^2", "x^2"},
@@ -55,7 +55,7 @@ constexpr Sample kSamples[] = {
 };
 
 /// A font whose letters are all 0.5 ems wide.
-class PlainFont final : public MathFont {
+class SquareFont final : public MathFont {
   public:
     MathExtent extentOf(std::string_view text, bool, int level) const override {
         const auto letters = std::count_if(text.begin(), text.end(),
@@ -67,12 +67,12 @@ class PlainFont final : public MathFont {
 };
 
 /// The rectangle of the ink of a part of a formula, y down.
-struct Ink {
+struct InkBox {
     double left, top, right, bottom;
 };
 
-std::vector<Ink> inksOf(const MathLayout &layout) {
-    std::vector<Ink> inks;
+std::vector<InkBox> inkBoxesOf(const MathLayout &layout) {
+    std::vector<InkBox> inks;
     for (const MathText &text : layout.texts) {
         inks.push_back({text.at.x, text.at.y - text.extent.ascent, text.at.x + text.extent.width,
                         text.at.y + text.extent.descent});
@@ -80,16 +80,16 @@ std::vector<Ink> inksOf(const MathLayout &layout) {
     return inks;
 }
 
-MathLayout layoutOf(const char *tex, bool display = false) {
+MathLayout mathLayoutOf(const char *tex, bool display = false) {
     const Result<MathNode> formula = parseMath(tex);
     REQUIRE_MESSAGE(formula.ok(), tex);
-    return layoutMath(*formula, PlainFont(), display);
+    return layoutMath(*formula, SquareFont(), display);
 }
 
 } // namespace
 
 TEST_CASE("Math: every construct is read, and reads aloud as plain text") {
-    for (const Sample &sample : kSamples) {
+    for (const MathSample &sample : kMathSamples) {
         CAPTURE(sample.tex);
         const Result<MathNode> formula = parseMath(sample.tex);
         CHECK(formula.ok() == (sample.plain != nullptr));
@@ -143,14 +143,14 @@ TEST_CASE("Math: a formula with a fault names it and its place") {
 }
 
 TEST_CASE("Math: characters of a formula do not overlap, and stay within its extent") {
-    for (const Sample &sample : kSamples) {
+    for (const MathSample &sample : kMathSamples) {
         for (const bool display : {false, true}) {
             if (sample.plain == nullptr) {
                 continue;
             }
             CAPTURE(sample.tex);
-            const MathLayout layout = layoutOf(sample.tex, display);
-            const std::vector<Ink> inks = inksOf(layout);
+            const MathLayout layout = mathLayoutOf(sample.tex, display);
+            const std::vector<InkBox> inks = inkBoxesOf(layout);
             constexpr double kSlack = 1e-9;
             for (std::size_t i = 0; i < inks.size(); ++i) {
                 CHECK(inks[i].left >= -kSlack);
@@ -177,45 +177,45 @@ TEST_CASE("Math: characters of a formula do not overlap, and stay within its ext
 }
 
 TEST_CASE("Math: letters stand on the baseline, indices below it, exponents and numerators above") {
-    const MathLayout row = layoutOf("a + b");
+    const MathLayout row = mathLayoutOf("a + b");
     CHECK(std::all_of(row.texts.begin(), row.texts.end(), [](const MathText &text) { return text.at.y == 0.0; }));
     CHECK(row.extent.descent == 0.0);
 
-    const MathLayout scripts = layoutOf("x_i^2");
+    const MathLayout scripts = mathLayoutOf("x_i^2");
     REQUIRE(scripts.texts.size() == 3);
     CHECK(scripts.texts[0].at.y == 0.0);
     CHECK(scripts.texts[1].at.y > 0.0);
     CHECK(scripts.texts[2].at.y < 0.0);
     CHECK(scripts.texts[1].level == 1);
 
-    const MathLayout fraction = layoutOf("\\frac{a}{b}", true);
+    const MathLayout fraction = mathLayoutOf("\\frac{a}{b}", true);
     REQUIRE(fraction.strokes.size() == 1);
     const double bar = fraction.strokes[0].points[0].y;
-    const std::vector<Ink> inks = inksOf(fraction);
+    const std::vector<InkBox> inks = inkBoxesOf(fraction);
     CHECK(inks[0].bottom < bar);
     CHECK(inks[1].top > bar);
     CHECK(bar == doctest::Approx(-0.35 * 20.0)); // the middle of +
-    CHECK(layoutOf("\\frac{a}{b}").texts[0].level == 1);
+    CHECK(mathLayoutOf("\\frac{a}{b}").texts[0].level == 1);
     CHECK(fraction.texts[0].level == 0);
 
-    const MathLayout over = layoutOf("\\overline{AB}");
+    const MathLayout over = mathLayoutOf("\\overline{AB}");
     REQUIRE(over.strokes.size() == 1);
     CHECK(over.strokes[0].points[0].y < -0.7 * 20.0);
     CHECK(over.strokes[0].points[1].x - over.strokes[0].points[0].x == doctest::Approx(20.0));
 
-    const MathLayout sum = layoutOf("\\sum_{k}^{n}");
+    const MathLayout sum = mathLayoutOf("\\sum_{k}^{n}");
     REQUIRE(sum.texts.size() == 3);
-    const std::vector<Ink> parts = inksOf(sum);
+    const std::vector<InkBox> parts = inkBoxesOf(sum);
     CHECK(parts[1].top > parts[0].bottom);
     CHECK(parts[2].bottom < parts[0].top);
-    const auto middle = [](const Ink &ink) { return 0.5 * (ink.left + ink.right); };
+    const auto middle = [](const InkBox &ink) { return 0.5 * (ink.left + ink.right); };
     CHECK(middle(parts[1]) == doctest::Approx(middle(parts[0])));
 
     // The root covers what is below it, and brackets grow with what they hold.
-    const MathLayout root = layoutOf("\\sqrt{\\frac{a}{b}}", true);
+    const MathLayout root = mathLayoutOf("\\sqrt{\\frac{a}{b}}", true);
     CHECK(root.strokes.size() == 2);
     CHECK(root.extent.ascent > fraction.extent.ascent);
-    const MathLayout fence = layoutOf("\\left(\\frac{a}{b}\\right)", true);
+    const MathLayout fence = mathLayoutOf("\\left(\\frac{a}{b}\\right)", true);
     REQUIRE(fence.strokes.size() == 3);
     CHECK(fence.extent.ascent >= fraction.extent.ascent);
 }
@@ -242,7 +242,7 @@ TEST_CASE("Math: HTML names each formula, and escapes it") {
     CHECK(html.find("<svg") != std::string::npos);
     CHECK(mathHtml(*parseMath("\\frac{1}{2}"), true).starts_with("<span class=\"math display\""));
     CHECK(escapedHtml("<a href=\"x\">&") == "&lt;a href=&quot;x&quot;&gt;&amp;");
-    for (const Sample &sample : kSamples) {
+    for (const MathSample &sample : kMathSamples) {
         if (sample.plain == nullptr) {
             continue;
         }

@@ -18,6 +18,13 @@ std::string inBrackets(const MathNode &node) {
     return isSimple(node) ? inner : '(' + inner + ')';
 }
 
+/// Returns what is below a root, in brackets unless it is a single symbol.
+std::string plainRadicand(const MathNode &node) {
+    const std::string inner = plainMath(node);
+    const MathNode &only = node.kind == MathKind::Row && node.parts.size() == 1 ? node.parts.front() : node;
+    return only.kind == MathKind::Symbol ? inner : '(' + inner + ')';
+}
+
 std::string plainRow(const MathNode &row) {
     std::string text;
     MathRole before = MathRole::Opening;
@@ -90,7 +97,7 @@ std::string plainMath(const MathNode &node) {
     case MathKind::Fraction:
         return inBrackets(node.parts[0]) + '/' + inBrackets(node.parts[1]);
     case MathKind::Root:
-        return (node.parts.size() > 1 ? plainMath(node.parts[1]) : std::string()) + "√" + inBrackets(node.parts[0]);
+        return (node.parts.size() > 1 ? plainMath(node.parts[1]) : std::string()) + "√" + plainRadicand(node.parts[0]);
     case MathKind::Scripts:
         return plainScripts(node);
     case MathKind::Overline:
