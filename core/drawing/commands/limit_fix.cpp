@@ -119,4 +119,11 @@ std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verd
     }
 }
 
+bool makesWorse(const LimitVerdict &before, const LimitVerdict &after) {
+    constexpr double kNoticeable = 0.1;
+    const double limit = std::abs(before.bound);
+    return after.broken > 0 &&
+           std::abs(after.worst - after.bound) > std::abs(before.worst - before.bound) + kNoticeable * limit;
+}
+
 } // namespace forefront

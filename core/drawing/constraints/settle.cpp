@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -400,12 +401,15 @@ class Settler {
         const bool several = clash.ids.size() > 1;
         const bool onlyOne = clash.ids.empty() || (!several && *clash.ids.begin() < sketch_.jointId(0));
         const std::string advice = onlyOne ? "change it or remove it" : clashAdvice(sketch_, clash.ids);
-        if (!clash.certain) {
-            return error("constraint-conflict",
-                         "no solution was found near by for " + names + (several ? " together" : "") + held,
-                         "change a value in smaller steps; or " + advice);
-        }
-        return error("constraint-conflict", names + " cannot hold" + (several ? " together" : "") + held, advice);
+        Diagnostics faults =
+            clash.certain
+                ? error("constraint-conflict", names + " cannot hold" + (several ? " together" : "") + held, advice)
+                : error("constraint-conflict",
+                        "no solution was found near by for " + names + (several ? " together" : "") + held,
+                        "change a value in smaller steps; or " + advice);
+        std::copy_if(clash.ids.begin(), clash.ids.end(), std::back_inserter(faults.front().ids),
+                     [&](std::uint32_t id) { return id < sketch_.jointId(0); });
+        return faults;
     }
 
     /// Puts "constraint" or "constraints" before names of which the first is that of a constraint.
