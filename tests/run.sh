@@ -133,7 +133,7 @@ if [ $quick = no ]; then
         step 'build Debian packages' sh app/package.sh
         step 'packages in a bare Debian 12' sh tests/package/bare_root.sh
     else
-        step 'changed sources compiled alone' sh tests/alone.sh
+        step 'changed sources compiled alone' sh tests/alone.sh --after-tidy
     fi
 fi
 finish
