@@ -618,7 +618,7 @@ class Meshing(Case):
                                      ("sea:25.4,60;25.39,60", 1, "both nearest to the node")):
             self.assertIn(message, self.call("mesh", "coast.geojson", "-o", "a.msh", "--name", value, code=code).stderr)
         self.write("plate.json", PROJECT)
-        self.assertIn("--name: a project keeps names of its own",
+        self.assertIn("--name: the parts of a Forefront project keep names of their own",
                       self.call("mesh", "plate.json", "-o", "a.msh", "--name", "sea:0,0;4,0", code=2).stderr)
         self.call("mesh", "plate.poly", "-o", "a.msh", "--name", "inlet:0,0;0,0")
         self.assertIn("inlet", self.read("a.msh"))
