@@ -1,6 +1,5 @@
 #include "core/drawing_files/common/open_outline.hpp"
 
-#include "core/engine/base/ids.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/base/rows.hpp"
 #include "core/engine/geometry/box_tree.hpp"
