@@ -1,8 +1,11 @@
 // Joints: nodes at the same place, and nodes on segments, stay together through commands.
 #include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/commands/shared_segments.hpp"
 #include "core/drawing/commands/transform.hpp"
 #include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/joints/joint_index.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
@@ -10,6 +13,8 @@
 
 #include <cmath>
 #include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 using namespace forefront;
@@ -119,6 +124,31 @@ TEST_CASE("Joints: a border is edited as one") {
 
     node.nodes = {{1, 2}};
     CHECK(codeOf(jointly(document, deleteSelection(document, node))) == "joined-node");
+}
+
+TEST_CASE("Joints: a joined node is not deleted with the last of its line or triangle") {
+    const Document document =
+        documentOf({lineOf({{0, 0}, {4, 0}}), lineOf({{0, 0}, {-2, 3}, {-4, 3}}), lineOf({{0, 0}, {-2, -3}}),
+                    makeShape(ShapeKind::Polygon, {{4, 0}, {6, 1}, {6, -1}})});
+    const JointIndex index(document);
+    const auto deleted = [&](std::set<NodeRef> nodes) {
+        Selection selection;
+        selection.nodes = std::move(nodes);
+        return jointly(document, deleteUnlessJoined(index, selection));
+    };
+    CHECK(codeOf(deleted({{1, 0}})) == "joined-node");
+    CHECK(codeOf(deleted({{1, 1}})) == "joined-node");
+    CHECK(codeOf(deleted({{2, 0}})) == "joined-node");
+    CHECK(codeOf(deleted({{4, 0}})) == "joined-node");
+    const Result<Document> free = deleted({{2, 2}});
+    REQUIRE(free.ok());
+    CHECK(shapeOfId(*free, 2).nodes.size() == 2);
+    const Result<Document> line = deleted({{3, 1}}); // the other end: a line of one node is none
+    REQUIRE(line.ok());
+    CHECK(findShape(*line, 3) == nullptr);
+    const Result<Document> all = deleted({{3, 0}, {3, 1}});
+    REQUIRE(all.ok());
+    CHECK(all->shapes.size() == 3);
 }
 
 TEST_CASE("Joints: a locked shape does not move, so neither does what is joined with it") {

@@ -1,7 +1,9 @@
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/commands/junction_constraints.hpp"
 #include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/commands/shared_segments.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/joints/joint_index.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/dialogs/changed_file.hpp"
@@ -333,13 +335,12 @@ void addSelectionActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kDelete, kNoModifiers}},
                  .run =
                      [](Shell &c) {
-                         Document next = deleteSelection(*c.document.current(), c.selection);
+                         const Document &document = *c.document.current();
                          const bool shapes = c.selection.nodes.empty(); // joints are those of nodes
-                         if (!(shapes ? c.applyCommand(std::move(next), "Delete")
-                                      : applyJoined(c, std::move(next), "Delete"))) {
-                             return;
+                         if (shapes ? c.applyCommand(deleteSelection(document, c.selection), "Delete")
+                                    : applyJoined(c, deleteUnlessJoined(JointIndex(document), c.selection), "Delete")) {
+                             c.selection.clear();
                          }
-                         c.selection.clear();
                      },
                  .enabled = hasSelection});
     actions.add(

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -42,6 +43,11 @@ std::vector<ListedNode> missing(const Shape &longer, const std::vector<Vec2> &sh
                         last ? std::nullopt : std::optional(nodes[(k + 1) % n])});
     }
     return kept == shorter.size() ? list : std::vector<ListedNode>();
+}
+
+Diagnostics joinedNode(Vec2 at, const Shape &other) {
+    return error("joined-node", "the node at " + placeText(at) + " is joined with " + displayName(other),
+                 "detach it first, or delete the other segments at it");
 }
 
 /// Inserts and removes nodes of segments that paths share.
@@ -135,9 +141,7 @@ class SharedSegments {
                                     ((same(removed.previous, previous) && same(removed.next, next)) ||
                                      (same(removed.previous, next) && same(removed.next, previous)));
                 if (!shared || shape->locked) {
-                    return error("joined-node",
-                                 "the node at " + placeText(removed.at) + " is joined with " + displayName(*shape),
-                                 "detach it first, or delete the other segments at it");
+                    return joinedNode(removed.at, *shape);
                 }
                 joined.nodes.insert({shape->id, k});
             }
@@ -157,6 +161,38 @@ class SharedSegments {
 
 Result<Document> editSharedSegments(const JointIndex &index, Document after) {
     return SharedSegments(index, std::move(after)).run();
+}
+
+Result<Document> deleteUnlessJoined(const JointIndex &index, const Selection &selection) {
+    const Document &document = index.document();
+    Document next = deleteSelection(document, selection);
+    std::map<std::uint32_t, std::vector<std::uint32_t>> gone; // selected nodes by shape
+    for (const NodeRef &ref : selection.nodes) {
+        if (!selection.shapes.contains(ref.shape) && findShape(next, ref.shape) == nullptr) {
+            gone[ref.shape].push_back(ref.node);
+        }
+    }
+    for (const auto &[id, nodes] : gone) {
+        const Shape *const shape = findShape(document, id);
+        const std::vector<Vec2> places = shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>();
+        if (nodes.size() >= places.size()) {
+            continue; // all of it is selected
+        }
+        for (const std::uint32_t node : nodes) {
+            if (node >= places.size()) {
+                continue;
+            }
+            const Shape *joined = nullptr;
+            index.handlesAt(places[node], [&](const JointHandle &handle) {
+                const Shape &other = *document.shapes[handle.shape];
+                joined = other.id != id && findShape(next, other.id) != nullptr ? &other : joined;
+            });
+            if (joined != nullptr) {
+                return joinedNode(places[node], *joined);
+            }
+        }
+    }
+    return next;
 }
 
 } // namespace forefront

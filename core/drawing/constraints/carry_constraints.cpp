@@ -28,7 +28,9 @@ class ConstraintCarrier {
         for (const auto &pointer : next_.constraints) {
             if (std::none_of(pointer->parts.begin(), pointer->parts.end(),
                              [&](const SketchPart &part) { return parts_.changed(part.shape); })) {
-                kept.push_back(pointer);
+                if (stillFits(*pointer)) {
+                    kept.push_back(pointer);
+                }
             } else if (std::optional<SketchConstraint> carried = carry(*pointer)) {
                 kept.push_back(*carried == *pointer ? pointer
                                                     : std::make_shared<const SketchConstraint>(*std::move(carried)));
@@ -144,6 +146,15 @@ class ConstraintCarrier {
             }
         }
         return std::nullopt;
+    }
+
+    /// Returns true unless a part of a constraint has become something that the constraint cannot have, such as a line
+    /// that became a curve or an arc of a circle that was stretched.
+    bool stillFits(const SketchConstraint &constraint) const {
+        const bool same = std::all_of(constraint.parts.begin(), constraint.parts.end(), [&](const SketchPart &part) {
+            return findShape(before_, part.shape) == findShape(next_, part.shape);
+        });
+        return same || partsFault(next_, constraint.kind, constraint.parts).empty();
     }
 
     /// Notes a rectangle, circle or slot that became a path.

@@ -8,19 +8,28 @@
 
 namespace forefront {
 
-/// The segments of a closed boundary in a domain, in order: from `first` to before `end`.
-struct DrawnLoop {
+/// Consecutive segments of a domain: from `first` to before `end`.
+struct SegmentRun {
     std::uint32_t first = 0, end = 0;
 };
 
-/// A border of two closed boundaries that lie beside each other, which both of them have drawn.
+/// A line or a part of a curve that two closed shapes have both drawn.
 struct NeighbourSide {
-    std::uint32_t kept = 0, dropped = 0; ///< indices of segments
+    SegmentRun kept, dropped;
+    bool within = false; ///< the areas of two boundaries lie on its two sides, so that it is a line within the domain
 };
 
-/// Returns the straight segments that two loops have in common, with the areas of the loops on opposite sides. What
-/// more than two loops share, and what lies on one side of both, is left out; so are chords of curves, whose nodes
-/// differ by rounding. In the order of the dropped segments.
-std::vector<NeighbourSide> neighbourSides(const Domain &domain, std::span<const DrawnLoop> loops);
+/// Returns the sides that closed shapes have in common, from node to node, where one line does for both: two boundaries
+/// with their areas on opposite sides; outlines of regions, beside or within each other; and the outline of a region
+/// along a boundary, which stays. What two boundaries trace on one side of both, or more than two, is left out. Curves
+/// are the same within 1e-9 of the domain's diagonal.
+///
+/// `loops`: the segments of each closed shape, in order; each has one role. In the order of the dropped segments.
+std::vector<NeighbourSide> neighbourSides(const Domain &domain, std::span<const SegmentRun> loops);
+
+/// Returns the divided segments, by their indices in `given`, of which a part joins the same nodes as another segment
+/// although neighbourSides() does not make them one. `given`: see DividedSegments.
+std::vector<std::uint32_t> drawnTwice(const Domain &domain, std::span<const SegmentRun> loops,
+                                      std::span<const std::uint32_t> given);
 
 } // namespace forefront

@@ -1,3 +1,4 @@
+#include "core/drawing/domain/divide_at_joints.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/domain/domain_sources.hpp"
 #include "core/drawing/domain/neighbour_sides.hpp"
@@ -40,6 +41,7 @@ class DocumentDomain {
         domain_.boundaryNames = document_.boundaryNames;
         domain_.regionNames = document_.regionNames;
         domain_.curveTolerance = document_.curveTolerance;
+        divideJoined();
         joinNeighbours();
         if (flattened_) {
             refineMeetingChords(domain_, sources_);
@@ -51,11 +53,9 @@ class DocumentDomain {
     std::vector<std::uint32_t> elements() const {
         std::vector<std::uint32_t> list;
         for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
-            const auto [shape, segment] = sources_->segments[s];
-            const auto counts = counts_.find(shape);
-            if (counts != counts_.end() && counts->second[segment] > 0) {
+            if (const std::uint32_t count = elementsOf(static_cast<std::uint32_t>(s)); count > 0) {
                 list.resize(sources_->segments.size());
-                list[s] = counts->second[segment];
+                list[s] = count;
             }
         }
         return list;
@@ -65,16 +65,9 @@ class DocumentDomain {
     std::vector<ElementBias> biases() const {
         std::vector<ElementBias> list;
         for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
-            const auto [number, segment] = sources_->segments[s];
-            const auto counts = counts_.find(number);
-            const Shape &shape = *document_.shapes[number];
-            if (counts == counts_.end() || counts->second[segment] == 0 || shape.segmentSizes.empty()) {
-                continue;
-            }
-            const auto own = shape.segmentSizes.find(parts_.at(number)[segment]);
-            if (own != shape.segmentSizes.end() && own->second.bias.any()) {
+            if (const ElementBias bias = biasOf(static_cast<std::uint32_t>(s)); bias.any()) {
                 list.resize(sources_->segments.size());
-                list[s] = own->second.bias;
+                list[s] = bias;
             }
         }
         return list;
@@ -108,6 +101,7 @@ class DocumentDomain {
             const std::uint32_t node = addNode(shape.nodes[k], {number, k});
             if (k == 0 && shape.use == ShapeUse::Constraint) {
                 domain_.points.push_back({node, shape.tag});
+                joints_.push_back({node, number});
                 if (sources_ != nullptr) {
                     sources_->points.push_back({number, 0});
                 }
@@ -149,7 +143,7 @@ class DocumentDomain {
         }
         const SegmentRole role = shape.use == ShapeUse::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint;
         const auto first = static_cast<std::uint32_t>(domain_.segments.size());
-        if (role == SegmentRole::Boundary && isClosed(shape)) {
+        if (isClosed(shape)) {
             loops_.push_back({first, first + static_cast<std::uint32_t>(chords.size())});
         }
         for (std::size_t k = 0; k < chords.size(); ++k) {
@@ -163,50 +157,184 @@ class DocumentDomain {
                 }
                 stretch.curve = static_cast<std::uint32_t>(domain_.curves.size() - 1);
             }
+            if (!stretch.follows() || stretch.t0 == 0.0) {
+                joints_.push_back({ids[k], number});
+            }
             domain_.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1],
                                         segmentTag(shape, outline.part(segment)), role, stretch});
+            shapes_.push_back(number);
             if (sources_ != nullptr) {
                 sources_->segments.push_back({number, segment});
             }
         }
+        if (!outline.closed && !ids.empty()) {
+            joints_.push_back({ids.back(), number});
+        }
     }
 
-    /// Makes a border that two closed shapes have drawn, each for itself, one line between them.
+    /// Divides what the nodes of other shapes lie on, unless a part would then be there twice: as where a line runs so
+    /// close to a side that it is on the side up to rounding, and yet is another.
+    void divideJoined() {
+        const std::vector<std::uint32_t> counts = elements();
+        std::vector<bool> whole(domain_.segments.size(), false);
+        const std::vector<ElementBias> bias = biases();
+        for (std::size_t s = 0; s < bias.size(); ++s) {
+            whole[s] = bias[s].any() && !domain_.segments[s].stretch.follows(); // parts could not keep the bias
+        }
+        for (int round = 0; round < kMaxDivisions; ++round) {
+            Domain divided = domain_;
+            const DividedSegments parts = divideAtJoints(divided, joints_, shapes_, counts, whole);
+            if (parts.given.empty()) {
+                return;
+            }
+            const std::vector<SegmentRun> loops = loopsIn(parts);
+            const std::vector<std::uint32_t> twice = drawnTwice(divided, loops, parts.given);
+            if (twice.empty()) {
+                takeDivision(std::move(divided), parts, loops);
+                return;
+            }
+            for (const std::uint32_t s : twice) {
+                whole[s] = true;
+            }
+        }
+    }
+
+    /// Returns the loops after a division.
+    std::vector<SegmentRun> loopsIn(const DividedSegments &parts) const {
+        const auto placeOf = [&](std::uint32_t segment) {
+            const auto found = std::lower_bound(parts.given.begin(), parts.given.end(), segment);
+            return static_cast<std::uint32_t>(found - parts.given.begin());
+        };
+        std::vector<SegmentRun> loops = loops_;
+        for (SegmentRun &loop : loops) {
+            loop = {placeOf(loop.first), placeOf(loop.end)};
+        }
+        return loops;
+    }
+
+    void takeDivision(Domain divided, const DividedSegments &parts, const std::vector<SegmentRun> &loops) {
+        domain_ = std::move(divided);
+        loops_ = loops;
+        shares_ = parts.elements;
+        if (sources_ != nullptr) {
+            const std::vector<ShapeNode> old = std::exchange(sources_->segments, {});
+            for (const std::uint32_t s : parts.given) {
+                sources_->segments.push_back(old[s]);
+            }
+        }
+    }
+
+    /// Makes what two closed shapes have drawn, each for itself, one line.
     void joinNeighbours() {
         std::vector<bool> dropped;
+        std::vector<std::uint32_t> inner; // nodes of curves that are dropped
         for (const NeighbourSide &side : neighbourSides(domain_, loops_)) {
-            if (haveSameSizes(side.kept, side.dropped)) {
-                dropped.resize(domain_.segments.size(), false);
-                dropped[side.dropped] = true;
-                domain_.segments[side.kept].role = SegmentRole::Constraint;
+            if (!haveSameSizes(side.kept, side.dropped)) {
+                continue;
+            }
+            dropped.resize(domain_.segments.size(), false);
+            std::fill(dropped.begin() + side.dropped.first, dropped.begin() + side.dropped.end, true);
+            for (std::uint32_t s = side.dropped.first + 1; s < side.dropped.end; ++s) {
+                inner.push_back(domain_.segments[s].a);
+            }
+            for (std::uint32_t s = side.kept.first; side.within && s < side.kept.end; ++s) {
+                domain_.segments[s].role = SegmentRole::Constraint;
             }
         }
         if (!dropped.empty()) {
-            const auto isDropped = [&](const auto &list) {
-                return [&](const auto &item) { return dropped[static_cast<std::size_t>(&item - list.data())]; };
-            };
-            // The second list has its items in the same order.
+            eraseMarked(dropped, domain_.segments);
+            eraseMarked(dropped, shares_);
             if (sources_ != nullptr) {
-                std::erase_if(sources_->segments, isDropped(sources_->segments));
+                eraseMarked(dropped, sources_->segments);
             }
-            std::erase_if(domain_.segments, isDropped(domain_.segments));
+        }
+        if (!inner.empty()) {
+            removeUnused(inner);
         }
     }
 
-    /// Returns true if two segments have the same sizes and numbers of elements of their own. Else neither can do for
-    /// both.
-    bool haveSameSizes(std::uint32_t first, std::uint32_t second) const {
+    /// Removes the items of a list that are marked; an empty list has none.
+    template <class Item>
+    static void eraseMarked(const std::vector<bool> &marked, std::vector<Item> &list) {
+        std::erase_if(list, [&](const Item &item) { return marked[static_cast<std::size_t>(&item - list.data())]; });
+    }
+
+    /// Removes those of some nodes that nothing refers to.
+    void removeUnused(const std::vector<std::uint32_t> &nodes) {
+        std::vector<bool> unused(domain_.nodes.size(), false);
+        for (const std::uint32_t node : nodes) {
+            unused[node] = true;
+        }
+        for (const DomainSegment &segment : domain_.segments) {
+            unused[segment.a] = unused[segment.b] = false;
+        }
+        for (const ConstraintPoint &point : domain_.points) {
+            unused[point.node] = false;
+        }
+        std::vector<std::uint32_t> number(domain_.nodes.size());
+        std::uint32_t next = 0;
+        for (std::size_t n = 0; n < number.size(); ++n) {
+            number[n] = next;
+            next += unused[n] ? 0 : 1;
+        }
+        for (DomainSegment &segment : domain_.segments) {
+            segment.a = number[segment.a];
+            segment.b = number[segment.b];
+        }
+        for (ConstraintPoint &point : domain_.points) {
+            point.node = number[point.node];
+        }
+        eraseMarked(unused, domain_.nodes);
+        if (sources_ != nullptr) {
+            eraseMarked(unused, sources_->nodes);
+        }
+    }
+
+    /// Returns the number of elements along a segment, or along the curve that it is a chord of; 0: as the spacing
+    /// asks.
+    std::uint32_t elementsOf(std::uint32_t segment) const {
+        if (segment < shares_.size() && shares_[segment] != 0) {
+            return shares_[segment];
+        }
+        const auto [shape, part] = sources_->segments[segment];
+        const auto found = counts_.find(shape);
+        return found != counts_.end() ? found->second[part] : 0;
+    }
+
+    /// Returns the bias of the elements along a segment, or along the curve that it is a chord of.
+    ElementBias biasOf(std::uint32_t segment) const {
+        const auto [number, part] = sources_->segments[segment];
+        const Shape &shape = *document_.shapes[number];
+        if (elementsOf(segment) == 0 || shape.segmentSizes.empty()) {
+            return {};
+        }
+        const auto own = shape.segmentSizes.find(parts_.at(number)[part]);
+        return own != shape.segmentSizes.end() ? own->second.bias : ElementBias{};
+    }
+
+    /// Returns true if the same sizes and numbers of elements are given along two lines. Else neither can do for both.
+    bool haveSameSizes(SegmentRun first, SegmentRun second) const {
         if (sources_ == nullptr) {
             return true;
         }
-        const ShapeNode a = sources_->segments[first], b = sources_->segments[second];
-        const auto valueAt = [](const auto &map, ShapeNode at, auto none) {
-            const auto found = map.find(at.shape);
-            return found != map.end() ? found->second[at.node] : none;
+        const auto sizeOf = [&](std::uint32_t segment) {
+            const auto [shape, part] = sources_->segments[segment];
+            const auto found = sizes_.find(shape);
+            return found != sizes_.end() ? found->second[part] : PartSize{0.0, 0.0};
         };
-        return valueAt(counts_, a, std::uint32_t{0}) == valueAt(counts_, b, std::uint32_t{0}) &&
-               valueAt(sizes_, a, PartSize{0.0, 0.0}) == valueAt(sizes_, b, PartSize{0.0, 0.0});
+        // A part of a curve has a share of the curve's number, which depends on the rest of it.
+        const auto isWhole = [&](SegmentRun run) {
+            const CurveStretch &start = domain_.segments[run.first].stretch;
+            const CurveStretch &end = domain_.segments[run.end - 1].stretch;
+            return !start.follows() || (start.t0 == 0.0 && end.t1 == 1.0);
+        };
+        const std::uint32_t elements = elementsOf(first.first);
+        const bool counted = elements == 0 || (isWhole(first) && isWhole(second) && !biasOf(first.first).any() &&
+                                               !biasOf(second.first).any());
+        return counted && elements == elementsOf(second.first) && sizeOf(first.first) == sizeOf(second.first);
     }
+
+    static constexpr int kMaxDivisions = 8; ///< attempts
 
     const Document &document_;
     std::map<std::int32_t, PartSegments> counted_;
@@ -217,8 +345,11 @@ class DocumentDomain {
     std::map<std::uint32_t, std::vector<PartSize>> sizes_;       ///< the same
     Domain domain_;
     NodeMerger merger_;
-    std::vector<DrawnLoop> loops_;
-    bool flattened_ = false; ///< some chords were chosen here, regardless of what is near
+    std::vector<SegmentRun> loops_;
+    std::vector<JointNode> joints_;
+    std::vector<std::uint32_t> shapes_; ///< per segment, as drawn
+    std::vector<std::uint32_t> shares_; ///< per segment: see DividedSegments::elements
+    bool flattened_ = false;            ///< some chords were chosen here, regardless of what is near
 };
 
 /// Returns the sizes of the nodes and regions of a document.

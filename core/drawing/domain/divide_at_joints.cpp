@@ -1,0 +1,161 @@
+#include "core/drawing/domain/divide_at_joints.hpp"
+
+#include "core/engine/geometry/box_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+constexpr double kOnSegment = 1e-10; ///< distance within which a node lies on a segment, in diagonals of the domain
+
+/// A node inside a segment.
+struct JointPlace {
+    std::uint32_t segment = 0, node = 0;
+    double t = 0.0;     ///< parameter of the curve, or along the straight segment from 0 to 1
+    double along = 0.0; ///< the same from 0 at the segment's start to 1 at its end
+};
+
+class JointDivision {
+  public:
+    JointDivision(Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
+                  std::span<const std::uint32_t> elements, const std::vector<bool> &whole)
+        : domain_(domain), nodes_(nodes), shapes_(shapes), elements_(elements), whole_(whole),
+          tolerance_(kOnSegment * domain.bounds().diagonal()) {}
+
+    DividedSegments run() {
+        find();
+        return divisions_.empty() ? DividedSegments{} : divide();
+    }
+
+  private:
+    const CurveStretch &stretch(std::uint32_t segment) const { return domain_.segments[segment].stretch; }
+    Vec2 start(std::uint32_t segment) const { return domain_.nodes[domain_.segments[segment].a]; }
+    Vec2 end(std::uint32_t segment) const { return domain_.nodes[domain_.segments[segment].b]; }
+
+    /// Returns a box that holds a segment and its curve.
+    Box2 boxOf(std::uint32_t segment) const {
+        Box2 box{start(segment), start(segment)};
+        box.add(end(segment));
+        const CurveStretch &part = stretch(segment);
+        return box.grown(part.follows() ? domain_.curves[part.curve].deviation(part.t0, part.t1) : 0.0);
+    }
+
+    void find() {
+        std::vector<Box2> places, boxes;
+        places.reserve(nodes_.size());
+        for (const JointNode &joint : nodes_) {
+            places.push_back({domain_.nodes[joint.node], domain_.nodes[joint.node]});
+        }
+        boxes.reserve(domain_.segments.size());
+        for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
+            boxes.push_back(boxOf(s));
+        }
+        BoxTree(boxes).join(BoxTree(places), tolerance_, [this](std::uint32_t segment, std::uint32_t joint) {
+            if (shapes_[segment] != nodes_[joint].shape && !whole_[segment]) {
+                test(segment, nodes_[joint].node);
+            }
+            return true;
+        });
+        std::sort(divisions_.begin(), divisions_.end(), [](const JointPlace &a, const JointPlace &b) {
+            return std::tuple(a.segment, a.along, a.node) < std::tuple(b.segment, b.along, b.node);
+        });
+    }
+
+    /// Notes a node if it lies inside a segment.
+    void test(std::uint32_t segment, std::uint32_t node) {
+        const Vec2 a = start(segment), b = end(segment), p = domain_.nodes[node];
+        if (!(distance(p, a) > tolerance_) || !(distance(p, b) > tolerance_)) {
+            return;
+        }
+        const CurveStretch &part = stretch(segment);
+        const Curve curve = part.follows() ? domain_.curves[part.curve] : Curve::line(a, b);
+        const double t0 = part.follows() ? part.t0 : 0.0, t1 = part.follows() ? part.t1 : 1.0;
+        const double t = curve.nearest(p, t0, t1);
+        if (distance(curve.point(t), p) <= tolerance_ && t != t0 && t != t1) {
+            divisions_.push_back({segment, node, t, (t - t0) / (t1 - t0)});
+        }
+    }
+
+    DividedSegments divide() {
+        DividedSegments result;
+        std::vector<DomainSegment> segments;
+        auto next = divisions_.cbegin();
+        for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
+            const auto first = next;
+            next = std::find_if(next, divisions_.cend(),
+                                [s](const JointPlace &division) { return division.segment != s; });
+            addParts(s, {first, next}, segments, result);
+        }
+        domain_.segments = std::move(segments);
+        return result;
+    }
+
+    void addParts(std::uint32_t s, std::span<const JointPlace> at, std::vector<DomainSegment> &segments,
+                  DividedSegments &result) const {
+        const std::vector<JointPlace> divisions = apart(s, at);
+        const std::uint32_t whole = elementsOf(s);
+        DomainSegment rest = domain_.segments[s];
+        std::uint32_t before = 0;
+        const auto add = [&](const DomainSegment &part, std::uint32_t after) {
+            segments.push_back(part);
+            result.given.push_back(s);
+            result.elements.push_back(divisions.empty() ? 0 : after - before);
+            before = after;
+        };
+        for (std::size_t k = 0; k < divisions.size(); ++k) {
+            DomainSegment part = rest;
+            part.b = rest.a = divisions[k].node;
+            if (rest.stretch.follows()) {
+                part.stretch.t1 = rest.stretch.t0 = divisions[k].t;
+            }
+            const auto left = static_cast<std::uint32_t>(divisions.size() - k);
+            const auto share = static_cast<std::uint32_t>(std::lround(whole * divisions[k].along));
+            add(part, whole == 0 ? 0 : std::clamp(share, before + 1, whole - left));
+        }
+        add(rest, whole);
+    }
+
+    /// Returns the divisions of a segment without those at the place of another; none if it must stay whole.
+    std::vector<JointPlace> apart(std::uint32_t s, std::span<const JointPlace> at) const {
+        std::vector<JointPlace> kept;
+        for (const JointPlace &division : at) {
+            const bool first =
+                kept.empty() || distance(domain_.nodes[kept.back().node], domain_.nodes[division.node]) > tolerance_;
+            if (first) {
+                kept.push_back(division);
+            }
+        }
+        const std::uint32_t whole = elementsOf(s);
+        if (whole != 0 && whole <= kept.size()) {
+            kept.clear();
+        }
+        return kept;
+    }
+
+    /// Returns the number of elements to share among the parts of a segment; those of a curve share by themselves.
+    std::uint32_t elementsOf(std::uint32_t s) const {
+        return stretch(s).follows() || elements_.empty() ? 0 : elements_[s];
+    }
+
+    Domain &domain_;
+    std::span<const JointNode> nodes_;
+    std::span<const std::uint32_t> shapes_;
+    std::span<const std::uint32_t> elements_;
+    const std::vector<bool> &whole_;
+    double tolerance_;
+    std::vector<JointPlace> divisions_;
+};
+
+} // namespace
+
+DividedSegments divideAtJoints(Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
+                               std::span<const std::uint32_t> elements, const std::vector<bool> &whole) {
+    return JointDivision(domain, nodes, shapes, elements, whole).run();
+}
+
+} // namespace forefront
