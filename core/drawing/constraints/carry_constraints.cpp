@@ -78,15 +78,6 @@ class ConstraintCarrier {
         return reoriented(next_, std::move(carried));
     }
 
-    /// Returns true unless a part of a constraint has become something that the constraint cannot have, such as a line
-    /// that became a curve or an arc of a circle that was stretched.
-    bool stillFits(const SketchConstraint &constraint) const {
-        const bool same = std::all_of(constraint.parts.begin(), constraint.parts.end(), [&](const SketchPart &part) {
-            return findShape(before_, part.shape) == findShape(next_, part.shape);
-        });
-        return same || partsFault(next_, constraint.kind, constraint.parts).empty();
-    }
-
     /// Carries a length between nodes one of which was a corner that a fillet or chamfer has cut off: it is measured
     /// from the rest of the side across it, on which the corner was. None if there is no such side.
     std::optional<SketchConstraint> measuredFromSide(const SketchConstraint &constraint) const {
@@ -155,6 +146,15 @@ class ConstraintCarrier {
             }
         }
         return std::nullopt;
+    }
+
+    /// Returns true unless a part of a constraint has become something that the constraint cannot have, such as a line
+    /// that became a curve or an arc of a circle that was stretched.
+    bool stillFits(const SketchConstraint &constraint) const {
+        const bool same = std::all_of(constraint.parts.begin(), constraint.parts.end(), [&](const SketchPart &part) {
+            return findShape(before_, part.shape) == findShape(next_, part.shape);
+        });
+        return same || partsFault(next_, constraint.kind, constraint.parts).empty();
     }
 
     /// Notes a rectangle, circle or slot that became a path.
