@@ -5,11 +5,11 @@
 #   sh app/build.sh PRESET [TARGET...] [-DNAME=VALUE...]
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
-case ${1--h} in
--*)
-    sed -n '2,5s/^# \{0,1\}//p' "$0"
-    exit 2
-    ;;
+# shellcheck source=app/usage.sh
+. "$root/app/usage.sh"
+offer_help "$@"
+case ${1--} in
+-*) wrong_usage "expected a preset, got '${1-}'" ;;
 esac
 if [ -z "${CMAKE_CXX_COMPILER_LAUNCHER-}" ] && command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache

@@ -11,7 +11,9 @@
 #   --wine       also what runs its programs
 # shellcheck disable=SC2086  # lists of packages are split into words on purpose
 set -eu
-here=$(cd "$(dirname "$0")/.." && pwd)
+root=$(cd "$(dirname "$0")/.." && pwd)
+# shellcheck source=app/usage.sh
+. "$root/app/usage.sh"
 
 core='g++ cmake ninja-build pkg-config libcli11-dev libtomlplusplus-dev libpugixml-dev libpng-dev libeigen3-dev'
 editor='libimgui-dev python3-glad libglfw3-dev libglm-dev libstb-dev libfreetype-dev libxcb1-dev libegl-dev libgl-dev
@@ -27,13 +29,9 @@ for option in "$@"; do
     case $option in
     --headless) wanted=$core ;;
     --tests | --packages | --windows | --wine) ;;
-    -h | --help)
-        sed -n '2,11s/^# \{0,1\}//p' "$0"
-        exit 0
-        ;;
     *)
-        echo "install.sh: unknown option $option (see --help)" >&2
-        exit 2
+        offer_help "$option"
+        wrong_usage "unknown option $option"
         ;;
     esac
 done
@@ -49,8 +47,8 @@ for option in "$@"; do
     fi
     if [ "$option" = --tests ]; then
         wanted="$wanted $tests"
-        if [ -f "$here/tests/packages.txt" ]; then
-            wanted="$wanted $(sed 's/#.*//' "$here/tests/packages.txt")"
+        if [ -f "$root/tests/packages.txt" ]; then
+            wanted="$wanted $(sed 's/#.*//' "$root/tests/packages.txt")"
         fi
     fi
 done

@@ -7,20 +7,13 @@
 #   FOLDER   where the packages are copied; default: they stay in build/package
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
+# shellcheck source=app/usage.sh
+. "$root/app/usage.sh"
+offer_help "$@"
 case ${1-} in
--h | --help)
-    sed -n '2,7s/^# \{0,1\}//p' "$0"
-    exit 0
-    ;;
--*)
-    echo "package.sh: unknown option $1 (see --help)" >&2
-    exit 2
-    ;;
+-*) wrong_usage "unknown option $1" ;;
 esac
-if [ $# -gt 1 ]; then
-    echo "package.sh: expected at most one folder, got $# (see --help)" >&2
-    exit 2
-fi
+[ $# -le 1 ] || wrong_usage "expected at most one folder, got $#"
 
 folder=
 if [ $# -eq 1 ]; then

@@ -7,20 +7,11 @@
 #   FILE   project or domain to open; default: a sample
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
-case ${1-} in
--h | --help)
-    sed -n '2,7s/^# \{0,1\}//p' "$0"
-    exit 0
-    ;;
-esac
-if [ $# -gt 1 ]; then
-    echo "run.sh: expected at most one file, got $# (see --help)" >&2
-    exit 2
-fi
-if [ $# -eq 1 ] && [ ! -f "$1" ]; then
-    echo "run.sh: file not found: $1" >&2
-    exit 2
-fi
+# shellcheck source=app/usage.sh
+. "$root/app/usage.sh"
+offer_help "$@"
+[ $# -le 1 ] || wrong_usage "expected at most one file, got $#"
+[ $# -eq 0 ] || [ -f "$1" ] || wrong_usage "file not found: $1"
 
 sh "$root/app/install.sh"
 sh "$root/app/build.sh" release -DFOREFRONT_TESTS=OFF

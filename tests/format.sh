@@ -6,12 +6,14 @@
 #   --fix   reformat the sources instead
 set -eu
 cd "$(dirname "$0")/.."
+# shellcheck source=app/usage.sh
+. app/usage.sh
 case ${1-} in
 '') how='--dry-run -Werror' ;;
 --fix) how=-i ;;
 *)
-    sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
-    exit 2
+    offer_help "$1"
+    wrong_usage "unknown option $1"
     ;;
 esac
 # shellcheck disable=SC2086  # words to be split

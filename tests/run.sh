@@ -10,10 +10,13 @@
 #   --quick      skip the sanitizers and clang-tidy; unit tests run in the optimised build
 #   --thorough   run unit tests in both builds, and the editor's tests with the sanitizers too; compile every source
 #                alone; read exported files with OpenFOAM, FEniCSx, deal.II and QGIS where they are installed, and
-#                renew their records in tests/readers; install the Debian packages into a bare root. Takes much longer
+#                renew their records in tests/readers; install the Debian packages into a bare root; build for Windows
+#                and mesh the samples under wine. Takes much longer
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
+# shellcheck source=app/usage.sh
+. "$root/app/usage.sh"
 quick=no
 thorough=no
 case ${1-} in
@@ -22,13 +25,9 @@ case ${1-} in
 --thorough)
     thorough=yes
     ;;
--h | --help)
-    sed -n '2,14s/^# \{0,1\}//p' "$0"
-    exit 0
-    ;;
 *)
-    echo "run.sh: unknown option $1 (see --help)" >&2
-    exit 2
+    offer_help "$1"
+    wrong_usage "unknown option $1"
     ;;
 esac
 
@@ -134,8 +133,9 @@ if [ $quick = no ]; then
         step 'all sources compiled alone' sh tests/alone.sh --all
         step 'build Debian packages' sh app/package.sh
         step 'packages in a bare Debian 12' sh tests/package/bare_root.sh
+        step 'program for Windows under wine' sh app/windows/build.sh
     else
-        step 'changed sources compiled alone' sh tests/alone.sh
+        step 'changed sources compiled alone' sh tests/alone.sh --after-tidy
     fi
 fi
 finish

@@ -7,6 +7,7 @@
 #   --all    check every source file, which takes about an hour
 set -eu
 cd "$(dirname "$0")/.."
+rm -f build/tidy/checked.txt
 limit=24
 [ "${1-}" != --all ] || limit=100000
 files=$(sh tests/changed.sh "$@" 'core/*.cpp' 'ui/*.cpp' 'app/*.cpp')
@@ -24,4 +25,5 @@ sh tests/configure_alone.sh
 printf '%s\n' "$files" | head -n "$limit" |
     xargs -n 1 -P "$(nproc)" clang-tidy -p build/tidy --quiet --extra-arg=-Wno-unknown-warning-option \
         --extra-arg=-Wno-ignored-optimization-argument
+printf '%s\n' "$files" | head -n "$limit" >build/tidy/checked.txt
 echo "tidy: checked"

@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/suggestion.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/reader_options.hpp"
 #include "core/files/source/source.hpp"
 
 #include <algorithm>
@@ -16,23 +17,38 @@ namespace forefront {
 
 namespace {
 
-/// Returns the names of the accepted formats, such as "GeoJSON and TopoJSON".
-std::string formatNames(bool (*accepts)(const FileFormat &)) {
-    std::vector<std::string> names;
-    for (const FileFormat &format : allFormats().list()) {
-        if (accepts(format)) {
-            names.emplace_back(format.name);
+/// Options that were given, with the words on the command line.
+std::vector<std::pair<ReaderOption, std::string>> givenOptions(const DrawingArguments &drawing, bool repairs) {
+    std::vector<std::pair<ReaderOption, std::string>> list;
+    const auto add = [&list](bool given, ReaderOption option, const char *word) {
+        if (given) {
+            list.emplace_back(option, word);
         }
-    }
-    std::string text;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
-    }
-    return text;
+    };
+    add(drawing.weldTolerance && !repairs, ReaderOption::Weld, "--weld");
+    add(drawing.layer.has_value(), ReaderOption::Layer, "--layer");
+    add(drawing.nameProperty.has_value(), ReaderOption::NameProperty, "--name-property");
+    add(drawing.sizeProperty.has_value(), ReaderOption::SizeProperty, "--size-property");
+    add(!drawing.projection.empty(), ReaderOption::Projection, "--projection");
+    add(drawing.degrees == DegreeRule::Local, ReaderOption::Degrees, "--projection");
+    add(drawing.degrees == DegreeRule::Keep, ReaderOption::Degrees, "--allow-degrees");
+    add(drawing.overlap.has_value(), ReaderOption::Overlap, "--overlap");
+    add(!drawing.partNames.empty(), ReaderOption::PartNames, "--name");
+    add(drawing.dropLines, ReaderOption::DropLines, "--drop-lines");
+    add(drawing.beyondPage, ReaderOption::BeyondPage, "--beyond-page");
+    add(drawing.strokeAreas, ReaderOption::StrokeAreas, "--stroke-areas");
+    add(drawing.shapeRegions, ReaderOption::ShapeRegions, "--shape-regions");
+    add(drawing.whiteHoles == true, ReaderOption::WhiteHoles, "--white-holes");
+    add(drawing.whiteHoles == false, ReaderOption::WhiteHoles, "--no-white-holes");
+    return list;
 }
 
-std::string mapNames() {
-    return formatNames([](const FileFormat &format) { return format.kind == FileKind::Map; });
+/// Returns the advice that follows the reason why an option is refused.
+std::string adviceOn(ReaderOption option) {
+    return option == ReaderOption::Weld ? "; add --repair to join nearby nodes and segments"
+           : option == ReaderOption::PartNames
+               ? "; name the segments in the editor, or by the command name of 'forefront run'"
+               : "";
 }
 
 } // namespace
@@ -61,45 +77,9 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
     if (format == nullptr) {
         return {}; // reading it says so
     }
-    if (drawing.weldTolerance && !repairs && !format->arranges) {
-        return "--weld: " + std::string(format->name) +
-               " files are read unchanged; add --repair to join nearby nodes and segments";
-    }
-    const bool isMap = format->kind == FileKind::Map;
-    if (drawing.layer && !format->hasLayers) {
-        return "--layer: only " + formatNames([](const FileFormat &each) { return each.hasLayers; }) +
-               " files have layers";
-    }
-    if (drawing.nameProperty && !isMap) {
-        return "--name-property: only the features of " + mapNames() + " files have properties";
-    }
-    if (drawing.sizeProperty && !isMap) {
-        return "--size-property: only the features of " + mapNames() + " files have properties";
-    }
-    if (!drawing.projection.empty() && !isMap) {
-        return "--projection: only " + mapNames() + " files name a coordinate reference system";
-    }
-    if (drawing.overlap && !isMap) {
-        return "--overlap: applies only to the polygons of " + mapNames() + " files";
-    }
-    if (drawing.degrees != DegreeRule::Warn && !isMap) {
-        return std::string(drawing.degrees == DegreeRule::Local ? "--projection" : "--allow-degrees") + ": only " +
-               mapNames() + " files have longitudes and latitudes";
-    }
-    if (!drawing.partNames.empty() && format->kind == FileKind::Project) {
-        return "--name: a project keeps names of its own; name the segments in the editor, or by the command name of "
-               "'forefront run'";
-    }
-    if (drawing.dropLines && !format->arranges) {
-        return "--drop-lines: applies only to drawings and maps";
-    }
-    for (const auto &[given, option] :
-         {std::pair(drawing.beyondPage, "--beyond-page"), std::pair(drawing.strokeAreas, "--stroke-areas"),
-          std::pair(drawing.shapeRegions, "--shape-regions"), std::pair(drawing.whiteHoles == true, "--white-holes"),
-          std::pair(drawing.whiteHoles == false, "--no-white-holes")}) {
-        if (given && format->kind != FileKind::Drawing) {
-            return std::string(option) + ": applies only to " +
-                   formatNames([](const FileFormat &each) { return each.kind == FileKind::Drawing; }) + "s";
+    for (const auto &[option, word] : givenOptions(drawing, repairs)) {
+        if (const std::string reason = reasonWithout(option, *format); !reason.empty()) {
+            return word + ": " + reason + adviceOn(option);
         }
     }
     return {};

@@ -32,6 +32,8 @@ Examples:
         edges that grow with the distance to the origin; Gmsh MSH 4.1
   forefront mesh plate.poly -o plate.msh --target-elements 5000
         about 5000 triangles, graded as the automatic spacing is
+  forefront mesh plate.poly -o plate.msh --size-from-boundary --gradation 0.7 --min-angle 30
+        as few triangles as the given segments and angles of 30 degrees allow, about as many as Triangle makes
   forefront mesh coast.svg -o coast.vtu --repair --stats coast.json
         splits crossing lines first; statistics as JSON
   forefront mesh lake.geojson -o lake.msh --spacing-file depth.png --picture-sizes 5:200
@@ -136,7 +138,7 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
     addWordOption<ElementOrder>(
         app, "--order", arguments.order,
         "1 (default), or 2: elements with nodes in the middles of their edges, on the curves of "
-        "the domain")
+        "the domain; files have them after the corners, in the order of their format")
         ->type_name("ORDER");
     addWordOption<QuadNodes>(app, "--quad-nodes", arguments.quadNodes,
                              "nodes of a quadrilateral of order 2: 8 (default), or 9 with one in its centre")
@@ -230,6 +232,8 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
                          spacingFiles<FileKind::Picture>() +
                          "); of any mesh without nodal values, the sizes of its elements")
         ->type_name("FILE");
+    spacing->add_flag("--size-from-boundary", arguments.sizeFromBoundary,
+                      "the lengths of the given segments alone; with --gradation 0.7 and --min-angle, few elements");
     spacing->require_option(0, 1);
     addPictureOptions(app, arguments.pictureSizes, arguments.pictureBox);
     app.add_option_function<double>(
@@ -246,8 +250,8 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
         ->check(positiveNumber())
         ->type_name("G");
     app.add_option("--segments-per-turn", arguments.segmentsPerTurn,
-                   "elements per full turn of a curve; 0: only the chord tolerance counts; default: 40 with automatic "
-                   "spacing, else 0")
+                   "elements per full turn of a curve, within 2 %; 0: only the chord tolerance counts; default: 40 "
+                   "with automatic spacing, else 0")
         ->check(nonNegativeNumber())
         ->type_name("N");
     app.add_option("--elements-across", arguments.elementsAcross,

@@ -34,6 +34,7 @@ struct MeshArguments {
     std::vector<std::string> rasters; ///< NAME=FILE
     std::vector<std::string> presets; ///< rules; they set `expression`
     std::optional<std::filesystem::path> spacingFile;
+    bool sizeFromBoundary = false;
     std::optional<PictureSizes> pictureSizes; ///< of a picture as spacing file, without its box
     std::optional<Box2> pictureBox;
     std::optional<std::uint64_t> targetElements;

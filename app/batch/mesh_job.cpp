@@ -83,6 +83,7 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
                                : !arguments.presets.empty() ? "--size-preset"
                                : arguments.expression       ? "--spacing"
                                : file                       ? "--spacing-file"
+                               : arguments.sizeFromBoundary ? "--size-from-boundary"
                                                             : nullptr;
     if (Diagnostics faults =
             addRasters(arguments.rasters, arguments.drawing.projection, read.system, arguments.quiet, spacing);
@@ -92,7 +93,13 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
     if (option != nullptr && !arguments.quiet) {
         printFaults(replacedSpacing(option, spacing));
     }
-    if (!applySpacingOptions(arguments.size, arguments.expression, spacing) && file) {
+    if (arguments.sizeFromBoundary) {
+        SpacingSpec lengths;
+        lengths.fromBoundary = true;
+        lengths.names = spacing.names;
+        lengths.rasters = spacing.rasters;
+        spacing.replaceRules(std::move(lengths));
+    } else if (!applySpacingOptions(arguments.size, arguments.expression, spacing) && file) {
         ImportOptions options = file->options;
         const Result<std::optional<PictureSizes>> placed = placedPicture(arguments, *file, read);
         if (!placed) {

@@ -8,17 +8,15 @@
 #   --without-wine   only build
 set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
+# shellcheck source=app/usage.sh
+. "$root/app/usage.sh"
 wine=yes
 for option in "$@"; do
     case $option in
     --without-wine) wine= ;;
-    -h | --help)
-        sed -n '2,8s/^# \{0,1\}//p' "$0"
-        exit 0
-        ;;
     *)
-        echo "build.sh: unknown option $option (see --help)" >&2
-        exit 2
+        offer_help "$option"
+        wrong_usage "unknown option $option"
         ;;
     esac
 done
@@ -89,6 +87,8 @@ program=build/mingw/app/forefront.exe
 echo "$program, $(($(stat -c %s "$program") / 1024)) KB"
 [ -n "$wine" ] || exit 0
 
+# Debian's package wine64 has it in no folder of programs.
+wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
 WINEPREFIX=$root/build/mingw-wine
 WINEDEBUG=-all
 export WINEPREFIX WINEDEBUG
@@ -98,7 +98,8 @@ checked=0
 for sample in assets/samples/*.json; do
     name=$(basename "$sample" .json)
     expected=$(sed -n "s/^$name fast default \([0-9a-f]*\) .*/\1/p" tests/pinned/meshes.txt | head -n 1)
-    wine64 "$program" mesh "$sample" -o "$out/mesh.msh" --stats "$out/stats.json" --quiet 2>"$out/errors" || {
+    "$wine" "$program" mesh "$sample" --method fast --improve default --quiet -o "$out/mesh.msh" \
+        --stats "$out/stats.json" 2>"$out/errors" || {
         cat "$out/errors" >&2
         echo "build.sh: $sample is not meshed under wine" >&2
         exit 1
@@ -109,4 +110,4 @@ for sample in assets/samples/*.json; do
     fi
     checked=$((checked + 1))
 done
-echo "$checked samples give the same meshes under $(wine64 --version) as on Linux"
+echo "$checked samples give the same meshes under $("$wine" --version) as on Linux"

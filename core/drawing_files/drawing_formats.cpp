@@ -136,12 +136,13 @@ std::vector<Format> everyFormat() {
     std::vector<Format> list(kDrawings.begin(), kDrawings.end());
     for (Format format : engineFormats().formats()) {
         if (format.about.kind == FileKind::Drawing) {
-            format.about.readsDomain = format.about.arranges = true;
+            format.about.readsDomain = format.about.readsCurves = format.about.arranges = true;
             format.recognise = looksLikeSvg;
             format.readDomain = readInChainOrder<readSvg>;
         }
         if (format.about.id == std::string_view("dxf")) {
-            format.about.readsDomain = format.about.hasLayers = format.about.arranges = true;
+            format.about.readsDomain = format.about.readsCurves = true;
+            format.about.hasLayers = format.about.arranges = true;
             format.recognise = looksLikeDxf;
             format.readDomain = readInChainOrder<readDxf>;
         }

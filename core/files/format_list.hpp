@@ -46,6 +46,7 @@ struct FileFormat {
     bool readsDomain = false, readsMesh = false, writesMesh = false;
     bool readsSpacing = false;
     bool readsFields = false; ///< its meshes have values of nodes and elements
+    bool readsCurves = false; ///< curves of its drawings become polylines within ImportOptions::curveTolerance
     bool hasLayers = false;   ///< a file has named layers, of which ImportOptions::layer chooses
     /// Programs that read it take the corners of all elements for counter-clockwise without looking.
     bool counterClockwise = false;

@@ -172,6 +172,9 @@ class Meshing(Case):
         self.assertEqual([place["by"] for place in angles["forced"]], ["corner"] * len(angles["forced"]))
         done = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "30")
         self.assertIn("least angle: 3", done.stdout)
+        few = self.stats("wedge.poly", "--min-angle", "30", "--size-from-boundary", "--gradation", "0.7")
+        self.assertGreaterEqual(few["least_angle"]["reached"], 30.0)
+        self.assertLess(4 * few["elements"], stats["elements"])
         refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "40", code=1)
         self.assertIn("expected above 0 and at most 33", refused.stderr)
         refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "20", "--elements", "quads", code=1)
@@ -326,6 +329,12 @@ class Meshing(Case):
         self.assertLess(edges["0"], 80)
         self.assertTrue(98 <= edges["100"] <= 110, edges)
         self.assertTrue(196 <= edges["200"] <= 220, edges)
+        # A CAD drawing with few, long arcs, and the sizes of an automatic spacing beside them.
+        arcs = [f"0\nARC\n8\nA\n10\n0\n20\n0\n40\n3\n50\n{180 * k}\n51\n{180 * (k + 1)}\n" for k in range(2)]
+        self.write("disc.dxf", "0\nSECTION\n2\nENTITIES\n" + "".join(arcs) + "0\nENDSEC\n0\nEOF\n")
+        for turn in (100, 400, 1000):
+            [rim] = self.stats("disc.dxf", "--segments-per-turn", str(turn))["boundaries"]
+            self.assertAlmostEqual(rim["edges"] / turn, 1, delta=0.02)
 
     def test_narrow_places_get_the_number_of_elements_across(self):
         self.write("channel.poly", poly([[(0, 0), (20, 0), (20, 1), (0, 1)]], []))
@@ -609,7 +618,7 @@ class Meshing(Case):
                                      ("sea:25.4,60;25.39,60", 1, "both nearest to the node")):
             self.assertIn(message, self.call("mesh", "coast.geojson", "-o", "a.msh", "--name", value, code=code).stderr)
         self.write("plate.json", PROJECT)
-        self.assertIn("--name: a project keeps names of its own",
+        self.assertIn("--name: the parts of a Forefront project keep names of their own",
                       self.call("mesh", "plate.json", "-o", "a.msh", "--name", "sea:0,0;4,0", code=2).stderr)
         self.call("mesh", "plate.poly", "-o", "a.msh", "--name", "inlet:0,0;0,0")
         self.assertIn("inlet", self.read("a.msh"))
@@ -1165,10 +1174,12 @@ class Imports(Case):
     def test_options_without_effect_are_refused(self):
         self.write("a.svg", '<svg viewBox="0 0 4 3"><rect width="4" height="3"/></svg>')
         self.write("plate.json", PROJECT)
+        self.write("disc.dxf", "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n5\n20\n1\n40\n0.7\n0\nENDSEC\n0\nEOF\n")
         self.call("mesh", "plate.poly", "-o", "a.msh", "-q")
         for command, file, options in (
                 ("mesh", "plate.poly", ["--overlap", "later"]), ("mesh", "a.svg", ["--overlap", "smaller"]),
                 ("mesh", "plate.poly", ["--drop-lines"]), ("mesh", "plate.json", ["--drop-lines"]),
+                ("mesh", "disc.dxf", ["--drop-lines"]),
                 ("mesh", "plate.poly", ["--beyond-page"]), ("mesh", "plate.poly", ["--stroke-areas"]),
                 ("mesh", "plate.poly", ["--shape-regions"]), ("mesh", "a.svg", ["--allow-degrees"]),
                 ("film", "plate.poly", ["--layer", "x"])):
@@ -1729,8 +1740,8 @@ class Refusing(Case):
 
     def test_options_that_exclude_each_other_are_named(self):
         both = self.call("mesh", "plate.poly", "-o", "a.msh", "--size", "1", "--spacing", "x", code=2).stderr
-        self.assertEqual(both.splitlines()[0], "forefront mesh: only one of --size, --spacing, --size-preset, --spacing-file can "
-                         "be given, got --size, --spacing")
+        self.assertEqual(both.splitlines()[0], "forefront mesh: only one of --size, --spacing, --size-preset, --spacing-file, "
+                         "--size-from-boundary can be given, got --size, --spacing")
         neither = self.call("adapt", "plate.msh", "--error", "0.1", "-o", "a.msh", code=2).stderr
         self.assertEqual(neither.splitlines()[0],
                          "forefront adapt: missing option; add one of --field, --expression")
@@ -2292,6 +2303,20 @@ class Telling(Case):
         for name in writable:
             self.assertIn(name, refused)
         self.assertIn("quadrilateral9", next(e for e in listed if e["id"] == "vtu")["elements"])
+        rows = [line for line in table.splitlines() if line and not line.startswith(" ")]
+        column = rows[0].index("name")
+        for row, entry in zip(rows[1:], listed):
+            self.assertEqual(row[column:], entry["name"])
+        for word, named in (("abaqus", "inp"), ("CalculiX", "inp"), ("msh3", "msh2")):
+            refused = self.call("mesh", "plate.poly", "-o", "a.msh", "--format", word, code=2).stderr
+            self.assertIn(f"; did you mean {named}?", refused)
+
+    def test_an_outline_that_does_not_close_is_warned_of_also_when_quiet(self):
+        self.write("open.wkt", "MULTILINESTRING((0 0,10 0,10 5,0 5,0 0.01),(3 2,6 2,6 3,3 3,3 2))\n")
+        warned = self.call("mesh", "open.wkt", "-q", "-o", "a.msh").stderr
+        self.assertRegex(warned, r"^open.wkt:1:\d+: warning: the outline does not close at \(0, 0(\.01)?\) by 0.01, so the area "
+                                 r"within it is not meshed; --weld 0.0105 closes it \[open-outline\]\n$")
+        self.assertEqual(self.call("mesh", "open.wkt", "-q", "-o", "a.msh", "--weld", "0.0105").stderr, "")
 
 
 class Convert(Case):

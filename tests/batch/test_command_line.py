@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -141,6 +142,18 @@ class Telling(Case):
         checked = json.loads(self.call("check", "a.msh", "--stats", "-").stdout)
         for key in ("version", "bounds", "boundaries", "regions", "area"):
             self.assertEqual(made[key], checked[key])
+
+    def test_the_program_starts_within_15_ms(self):
+        def seconds():
+            used = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return used.ru_utime + used.ru_stime
+
+        times = []
+        for _ in range(10):
+            before = seconds()
+            self.call("--version")
+            times.append(seconds() - before)
+        self.assertLess(min(times), 0.015)
 
     def test_mistyped_names_get_a_suggestion(self):
         for words, code, expected in (

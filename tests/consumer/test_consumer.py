@@ -20,7 +20,7 @@ KINDS = {"static": "forefront_core", "shared": "forefront_shared"}
 VERSION = re.search(r"project\(forefront VERSION ([0-9.]+)", (REPOSITORY / "CMakeLists.txt").read_text())[1]
 MINOR = VERSION.rsplit(".", 1)[0]
 PROJECT = """cmake_minimum_required(VERSION 3.25)
-project(consumer LANGUAGES CXX)
+project(consumer LANGUAGES {languages})
 {find}
 add_executable(consumer consumer.cpp)
 target_link_libraries(consumer Forefront::core)
@@ -31,6 +31,10 @@ STRICT = "-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
 CARELESS = "static int unused(double given) { int given2; { int given2 = given; } return 3.5 * given; }\n"
 EXAMPLES = REPOSITORY / "tests" / "consumer" / "examples"
 [EXAMPLE] = re.findall(r"^```cpp\n(.*?)^```$", (REPOSITORY / "README.md").read_text(), re.M | re.S)
+
+
+def project(find, languages="CXX"):
+    return PROJECT.format(find=find, languages=languages)
 
 
 def run(*command, folder, env=None):
@@ -102,7 +106,7 @@ def source_folder(folder, name, text):
 
 def by_find_package(kind, prefix, folder):
     made = source_folder(folder, f"find-package-{kind}", EXAMPLE)
-    (made / "CMakeLists.txt").write_text(PROJECT.format(find=f"find_package(Forefront {MINOR} REQUIRED)"))
+    (made / "CMakeLists.txt").write_text(project(f"find_package(Forefront {MINOR} REQUIRED)"))
     run(CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_FLAGS={STRICT}", folder=made)
     run(CMAKE, "--build", "build", folder=made)
     return result(made / "build" / "consumer", made)
@@ -111,7 +115,8 @@ def by_find_package(kind, prefix, folder):
 def check_other_versions_are_refused(prefix, folder):
     for version in ("0.1", "0.2", "0.9", "1.0"):
         made = source_folder(folder, f"version-{version}", EXAMPLE)
-        (made / "CMakeLists.txt").write_text(PROJECT.format(find=f"find_package(Forefront {version} REQUIRED)"))
+        # The version is checked before anything else, so that no compiler is needed.
+        (made / "CMakeLists.txt").write_text(project(f"find_package(Forefront {version} REQUIRED)", languages="NONE"))
         done = subprocess.run([CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}"], cwd=made,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         check(done.returncode != 0 and "compatible" in done.stdout, f"version {version} is accepted:\n{done.stdout}")
@@ -132,7 +137,7 @@ def by_add_subdirectory(folder):
     """One build tree, first static and then shared, so that the library is compiled once. It is compiled with clang where
     that is installed, and not optimised: the mesh must be the same with another compiler and other options."""
     made = source_folder(folder, "add-subdirectory", EXAMPLE + CARELESS)
-    (made / "CMakeLists.txt").write_text(PROJECT.format(find=f'add_subdirectory("{REPOSITORY}" forefront)'))
+    (made / "CMakeLists.txt").write_text(project(f'add_subdirectory("{REPOSITORY}" forefront)'))
     compiler = os.environ.get("CXX") or shutil.which("clang++") or "c++"
     for kind, shared in (("static", "OFF"), ("shared", "ON")):
         run(CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_CXX_COMPILER={compiler}", "-DCMAKE_BUILD_TYPE=Debug",
@@ -161,15 +166,31 @@ def user_lines(text):
     return [line for line in text.splitlines() if not re.match(frame, line)]
 
 
+# The examples share the precompiled header of the library, which takes most of the time of compiling each.
+SHARED_HEADER = """cmake_language(DEFER DIRECTORY ${CMAKE_SOURCE_DIR} CALL share_header)
+function(share_header)
+  get_property(programs DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+  list(POP_FRONT programs first)
+  target_precompile_headers(${first} PRIVATE <forefront/forefront.hpp>)
+  foreach(program ${programs})
+    target_precompile_headers(${program} REUSE_FROM ${first})
+  endforeach()
+endfunction()
+"""
+
+
 def check_examples(prefix, folder):
     """Builds the examples as one project and runs each: they must succeed, and stay short."""
     made = folder / "examples"
     shutil.copytree(EXAMPLES, made)
+    (made / "shared_header.cmake").write_text(SHARED_HEADER)
     sources = sorted(made.glob("*.cpp"))
     check(len(sources) == 11, f"{len(sources)} examples instead of 11")
-    run(CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_FLAGS={STRICT}", folder=made)
+    run(CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_FLAGS={STRICT}",
+        f"-DCMAKE_PROJECT_TOP_LEVEL_INCLUDES={made / 'shared_header.cmake'}", folder=made)
     run(CMAKE, "--build", "build", folder=made)
     for source in sources:
+        check("#include <forefront/forefront.hpp>" in source.read_text(), f"{source.name} does not include forefront.hpp")
         lines = len(user_lines(source.read_text()))
         check(0 < lines <= 15, f"{source.name} has {lines} lines; expected at most 15")
         run(made / "build" / source.stem, folder=made)
@@ -177,7 +198,7 @@ def check_examples(prefix, folder):
 
 def check_warnings_stay_warnings(folder):
     made = source_folder(folder, "werror", EXAMPLE)
-    (made / "CMakeLists.txt").write_text(PROJECT.format(find=f'add_subdirectory("{REPOSITORY}" forefront)'))
+    (made / "CMakeLists.txt").write_text(project(f'add_subdirectory("{REPOSITORY}" forefront)'))
     run(CMAKE, "-G", "Ninja", "-B", "build", folder=made)
     commands = run("ninja", "-C", "build", "-t", "commands", "consumer", folder=made)
     check("-Wall" in commands and "-Werror" not in commands, "-Werror is on in another project")

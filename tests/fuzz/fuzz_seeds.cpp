@@ -2,6 +2,7 @@
 #include "core/files/files.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/text/base64.hpp"
+#include "tests/fuzz/fuzz_runs.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
 #include "tests/support/png_sample.hpp"
 
@@ -361,6 +362,8 @@ std::vector<std::string> seeds(const Target &target) {
                : name == "math"   ? List{"\\frac{a_k^2}{\\sqrt[3]{b}}\\le\\left(\\sum_{k=1}^n\\overline{AB}\\right)",
                                        "\\text{if }-x\\cdot\\value{n}\\,\\to\\infty"}
                : name == "script" ? List{std::string(kScript)}
+               : name == "mesh"   ? meshSeeds()
+               : name == "run"    ? projectSeeds()
                                   : List{anyBytes(1), tinyEdge()};
     }
     std::vector<std::string> list = handMade(target.name);

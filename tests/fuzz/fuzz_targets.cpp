@@ -20,12 +20,13 @@
 #include "core/teaching/lesson_page/text_html.hpp"
 #include "core/teaching/markup/marked_text.hpp"
 #include "core/teaching/markup/math.hpp"
+#include "tests/fuzz/byte_numbers.hpp"
+#include "tests/fuzz/fuzz_checks.hpp"
+#include "tests/fuzz/fuzz_runs.hpp"
 #include "tests/support/png_sample.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -34,13 +35,6 @@
 namespace forefront::fuzz {
 
 namespace {
-
-void demand(bool kept, const char *promise) {
-    if (!kept) {
-        std::fprintf(stderr, "broken promise: %s\n", promise);
-        std::abort();
-    }
-}
 
 SourceText sourceOf(std::string_view bytes) {
     return {bytes, "fuzz", {}, {}};
@@ -59,27 +53,6 @@ void checkNotes(const ImportNotes &notes) {
     for (const ImportNote &note : notes.entries()) {
         demand(note.count > 0 && note.line > 0 && note.column > 0, "a note has a count, line and column");
         demand(!note.message.empty() && !note.code.empty(), "a note has a message and a code");
-    }
-}
-
-void checkMesh(const MeshView &mesh) {
-    const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
-    demand(std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite), "coordinates are finite");
-    for (const MeshView::Block &block : mesh.blocks()) {
-        demand(block.regions.empty() || block.regions.size() == block.size(), "a region for every element");
-    }
-    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
-        const std::span<const NodeId> nodes = mesh.nodesOf(e);
-        demand(std::all_of(nodes.begin(), nodes.end(), known), "elements use nodes that exist");
-        const std::set<NodeId> different(nodes.begin(), nodes.end());
-        demand(different.size() == nodes.size(), "the nodes of an element are different");
-    }
-    for (const TaggedEdge &edge : mesh.edges) {
-        demand(known(edge.a) && known(edge.b) && (edge.middle == kNoNode || known(edge.middle)) && edge.tag >= 1,
-               "edges use nodes that exist and have a tag");
-    }
-    for (const TaggedNode &point : mesh.points) {
-        demand(known(point.node) && point.tag >= 1, "points are nodes that exist and have a tag");
     }
 }
 
@@ -208,24 +181,6 @@ void runTriangle(std::string_view bytes) {
         checkFaults(result.faults());
     }
 }
-
-/// Reads numbers from bytes, 0 at the end of them.
-class ByteNumbers {
-  public:
-    explicit ByteNumbers(std::string_view bytes) : bytes_(bytes) {}
-
-    bool atEnd() const { return at_ >= bytes_.size(); }
-    unsigned byte() { return atEnd() ? 0U : static_cast<unsigned char>(bytes_[at_++]); }
-    /// Returns a multiple of 1/8 in [0, 32), sometimes off by the last digit.
-    double coordinate() {
-        const double value = 0.125 * byte();
-        return byte() % 16 == 0 ? value * (1.0 + std::numeric_limits<double>::epsilon()) : value;
-    }
-
-  private:
-    std::string_view bytes_;
-    std::size_t at_ = 0;
-};
 
 Domain domainFrom(ByteNumbers &numbers) {
     Domain domain;
@@ -367,6 +322,9 @@ std::vector<Target> listTargets() {
     list.push_back({"math", nullptr, runMath});
     list.push_back({"script", nullptr, runScript});
     list.push_back({"repair", nullptr, runRepair});
+    constexpr std::size_t kRuns = 300; // a mesh takes longer than a file
+    list.push_back({"mesh", nullptr, runMesh, kRuns});
+    list.push_back({"run", nullptr, runProject, kRuns});
     return list;
 }
 

@@ -1,4 +1,6 @@
+#include "core/drawing/commands/settle_command.hpp"
 #include "core/drawing/commands/trim_commands.hpp"
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/geometry/path_curve.hpp"
@@ -6,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -195,4 +198,36 @@ TEST_CASE("extendEnd and trimAt: an end that meets its own path becomes a node t
     CHECK(distance(joined.nodes[1], {3, -1}) < 1e-9);
     CHECK(joined.path().curves[0].kind() == CurveKind::Arc);
     CHECK(checkShape(joined).empty());
+}
+
+TEST_CASE("trimAt, extendEnd: a line that is equal to another gives that up and moves nothing else") {
+    const Document drawn = documentOf({square({0, 0}, 6), line({{-1, 3}, {5, 3}}), line({{-1, 4}, {5, 4}})});
+    const auto equal = [](const Document &document, std::uint32_t id) {
+        Result<Document> next = addConstraint(document, ConstraintKind::Equal,
+                                              {{id, SketchPartKind::Segment, 0}, {1, SketchPartKind::Segment, 1}});
+        REQUIRE(next.ok());
+        return *std::move(next);
+    };
+    const Document before = equal(drawn, 2);
+    const Result<Document> trimmed = trimAt(before, 2, {-0.5, 3});
+    REQUIRE(trimmed.ok());
+    const Result<Document> settled = settleCommand(before, *trimmed);
+    REQUIRE(settled.ok());
+    CHECK(settled->constraints.empty());
+    CHECK(findShape(*settled, 2)->nodes == std::vector<Vec2>{{0, 3}, {5, 3}});
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{6, 0}, Vec2{6, 6}, Vec2{0, 6}}) {
+        const std::vector<Vec2> nodes = handlesOf(*findShape(*settled, 1));
+        CHECK(std::find(nodes.begin(), nodes.end(), corner) != nodes.end());
+    }
+    const Result<Document> longer = extendEnd(before, {2, 1});
+    REQUIRE(longer.ok());
+    const Result<Document> kept = settleCommand(before, *longer);
+    REQUIRE(kept.ok());
+    CHECK(kept->constraints.empty());
+    CHECK(findShape(*kept, 2)->nodes.back() == Vec2{6, 3});
+    // What another line is equal to stays.
+    const Document other = equal(before, 3);
+    const Result<Document> cut = trimAt(other, 2, {-0.5, 3});
+    REQUIRE(cut.ok());
+    CHECK(cut->constraints.size() == 1);
 }

@@ -90,7 +90,7 @@ MeasureBounds measureBounds(const Workspace &context) {
         const bool dragged = context.view.draggedLimit && context.view.draggedLimit->limit == limit;
         const std::optional<double> value =
             dragged ? std::optional(context.view.draggedLimit->value) : context.document.current()->limits[limit];
-        if (info.measure == of.measure && value) {
+        if (info.measure == of.measure && limitOf(info.measure) == limit && value) {
             (info.isMinimum ? bounds.minimum : bounds.maximum) = value;
         }
     }

@@ -76,6 +76,18 @@ def test_areas_of_regions_are_held():
         assert areas[attribute == number].max() <= limit
         needed += areas[attribute == number].sum() / limit
     assert len(areas) < 2.2 * needed
+    assert len(areas) < 1.3 * 14006  # elements of Triangle 1.6
+
+
+def test_a_least_angle_takes_no_more_elements_than_in_triangle():
+    """A coast whose segments differ in length by a factor of ten: Triangle 1.6 makes 2246 elements with -pq30."""
+    turn = 2 * np.pi * np.arange(600) / 600
+    reach = 10 + 2 * np.sin(3 * turn) + 0.3 * np.sin(40 * turn) * (turn > 3) + 0.1 * (np.arange(600) ** 2 % 7)
+    coast = {"vertices": np.column_stack([reach * np.cos(turn), reach * np.sin(turn)]),
+             "segments": np.column_stack([np.arange(600), (np.arange(600) + 1) % 600])}
+    result = tr.triangulate(coast, "pq30")
+    assert angles_and_areas(result)[0].min() >= 30.0
+    assert len(result["triangles"]) <= 2246
 
 
 def test_faults_have_places():
@@ -120,3 +132,14 @@ def test_segments_without_markers_have_0_inside_and_1_on_the_boundary():
     assert sorted(set(kept["segment_markers"].ravel())) == [1, 5]
     with pytest.raises(ValueError, match="vertex_attributes"):
         tr.triangulate({**graph, "vertex_attributes": np.zeros((8, 1))}, "p")
+
+
+@pytest.mark.parametrize("given, switches, message", [
+    ({}, "p", "^vertices: they are missing"),
+    ({"vertices": [(0, 0), (1, 0), (0, 1)]}, "p", "^segments: the switch p needs them"),
+    ({"vertices": [(0, 0), (1, 0), (np.nan, 1)]}, "", r"^vertices\[2\]: expected finite coordinates, got \(nan, 1\)"),
+    ({"vertices": [(0, 0), (1, 0)]}, "", "at least three that are not on one line"),
+    ({"vertices": [(0, 0), (1, 1), (2, 2)]}, "", "at least three that are not on one line")])
+def test_vertices_that_span_nothing_are_told(given, switches, message):
+    with pytest.raises(ValueError, match=message):
+        tr.triangulate(given, switches)

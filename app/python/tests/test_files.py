@@ -4,11 +4,16 @@ import json
 import pickle
 import sys
 import types
+import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import forefront as ff
+
+PLATE = Path(__file__).resolve().parents[3] / "assets" / "samples" / "plate.json"
+CIRCLE = b"0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n5\n20\n1\n40\n0.7\n0\nENDSEC\n0\nEOF\n"
 
 
 @pytest.mark.parametrize("name", ["a.msh", "a.vtu", "a.vtk", "a.mesh", "a.inp", "a.su2", "a.node"])
@@ -66,7 +71,7 @@ def test_the_rule_of_overlaps_is_that_of_the_program(tmp_path):
 
 
 def test_bounds_follow_curves(tmp_path):
-    domain = ff.Domain.read(b"0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n5\n20\n1\n40\n0.7\n0\nENDSEC\n0\nEOF\n", "dxf")
+    domain = ff.Domain.read(CIRCLE, "dxf")
     assert domain.bounds == pytest.approx((4.3, 0.3, 5.7, 1.7), abs=1e-12)
 
 
@@ -79,10 +84,52 @@ def test_domains_are_read_with_their_sizes(tmp_path):
     domain = ff.Domain.read(text.encode(), "poly")
     assert len(domain.nodes) == 4 and domain.bounds == (0, 0, 2, 1)
     assert ff.mesh(domain).hash == mesh.hash
-    with pytest.raises(TypeError, match="unknown option 'colour'"):
+    with pytest.raises(TypeError, match=r"^Domain.read\(\) has no argument 'colour'; expected one of curve_tolerance, "):
         ff.Domain.read(file, colour=1)
     drawing = ff.Domain.read(b'<svg xmlns="http://www.w3.org/2000/svg"><rect width="3" height="2"/><text>a</text></svg>')
     assert drawing.notes and drawing.notes[0].severity == "note"
+
+
+OPEN = b"MULTILINESTRING((0 0,10 0,10 5,0 5,0 0.01),(3 2,6 2,6 3,3 3,3 2))"
+
+
+def test_an_outline_that_does_not_close_is_warned_of(tmp_path):
+    text = "the outline does not close at .* by 0.01, so the area within it is not meshed; weld=0.0105 closes it"
+    with pytest.warns(UserWarning, match=text) as seen:
+        domain = ff.Domain.read(OPEN, "wkt")
+    assert seen[0].filename == __file__
+    assert any(note.severity == "warning" and "weld=0.0105" in note.message for note in domain.notes)
+    (tmp_path / "open.wkt").write_bytes(OPEN)
+    with pytest.warns(UserWarning, match=text) as seen:
+        assert ff.mesh(tmp_path / "open.wkt", 1).quality("area").sum() == pytest.approx(3)
+    assert seen[0].filename == __file__
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        whole = ff.mesh(ff.Domain.read(OPEN, "wkt", weld=0.0105), 1)
+    assert whole.quality("area").sum() == pytest.approx(47, abs=0.1)
+
+
+def test_layers_may_be_a_list_and_wrong_types_are_told():
+    assert ff.Domain.read(CIRCLE, "dxf", layer=["A"]).bounds == ff.Domain.read(CIRCLE, "dxf", layer="A").bounds
+    for option, value, text in (("layer", 3, "a name, or a list of names, got 3"), ("weld", "much", "a length, got 'much'"),
+                                ("parts", {"A": (0, 50)}, "a dict such as .* got {'A': .0, 50.}"),
+                                ("strict", "yes", "True or False, got 'yes'")):
+        with pytest.raises(TypeError, match=f"^{option}: expected {text}"):
+            ff.Domain.read(CIRCLE, "dxf", **{option: value})
+
+
+def test_unknown_arguments_are_named_with_what_was_meant(plate):
+    wrong = [(lambda: ff.mesh("part.dxf", 3, weld=1), r"mesh\(\) has no argument 'weld', .* Domain.read\(file, weld=...\)"),
+             (lambda: ff.mesh(plate, 3, ordre=2), r"mesh\(\) has no argument 'ordre'; did you mean 'order'\?"),
+             (lambda: ff.mesh(plate, 3, wled=2), r"mesh\(\) has no argument 'wled'; did you mean 'weld' of Domain.read\(\)"),
+             (lambda: ff.estimate(plate, 3, colour=2), r"estimate\(\) has no argument 'colour'; expected one of sources, "),
+             (lambda: ff.run(plate, 3, methd="classic"), r"run\(\) has no argument 'methd'; did you mean 'method'\?"),
+             (lambda: ff.Domain.read(CIRCLE, "dxf", wled=1), r"Domain.read\(\) has no argument 'wled'; did you mean 'weld'\?"),
+             (lambda: ff.mesh(plate, 1).to_bytes("msh2", unti="mm"), r"to_bytes\(\) .* 'unti'; did you mean 'unit'\?"),
+             (lambda: ff.mesh(plate, 1).write("a.msh", unti="mm"), r"write\(\) .* 'unti'; did you mean 'unit'\?")]
+    for call, text in wrong:
+        with pytest.raises(TypeError, match=f"^{text}"):
+            call()
 
 
 def test_fields_come_with_their_mesh():
@@ -144,6 +191,39 @@ def map_in_degrees(size):
     """A field of 0.02 x 0.01 degrees at 60 degrees of latitude, some 1110 x 1110 m, with an element size."""
     return ('{"type": "Feature", "properties": {"name": "field", "h": %s}, "geometry": {"type": "Polygon", "coordinates": '
             '[[[25, 60], [25.02, 60], [25.02, 60.01], [25, 60.01], [25, 60]]]}}' % size).encode()
+
+
+POLY = b"3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n"
+PLAIN = [("poly", POLY), ("wkt", b"POLYGON ((0 0, 1 0, 0 1, 0 0))"), ("geojson", map_in_degrees(1))]
+
+
+@pytest.mark.parametrize("option, value, formats", [
+    ("layer", "a", "poly wkt geojson"), ("names", "name", "poly wkt"), ("sizes", "h", "poly wkt"),
+    ("projection", "EPSG:3067", "poly wkt"), ("overlap", "smaller", "poly wkt"), ("degrees", "keep", "poly wkt"),
+    ("weld", 1e-6, "poly"), ("curve_tolerance", 0.1, "poly wkt geojson"), ("drop_lines", True, "poly"),
+    ("beyond_page", True, "poly wkt geojson"), ("stroke_areas", True, "poly wkt geojson"),
+    ("shape_regions", True, "poly wkt geojson"), ("white_holes", False, "poly wkt geojson"),
+    ("parameters", {"r": "1"}, "poly wkt geojson")])
+def test_options_that_a_format_lacks_are_refused(option, value, formats):
+    names = {"poly": "Triangle domain", "wkt": "well-known text", "geojson": "GeoJSON"}
+    for known, content in PLAIN:
+        if known in formats.split():
+            with pytest.raises(ValueError, match=f"^{option}: .*{names[known]}"):
+                ff.Domain.read(content, known, **{option: value})
+        elif (known, option) != ("geojson", "projection"):  # which needs a component
+            ff.Domain.read(content, known, **{option: value})
+
+
+def test_options_of_projects_drawings_and_pictures_are_refused_elsewhere():
+    with pytest.raises(ValueError, match="^parts: .* Forefront project keep names of their own"):
+        ff.Domain.read(PLATE, parts={"a": ((0, 0), (1, 0))})
+    for option in ("drop_lines", "shape_regions"):
+        with pytest.raises(ValueError, match=f"^{option}: only .*; the file is in the format DXF drawing"):
+            ff.Domain.read(CIRCLE, "dxf", **{option: True})
+    assert ff.Domain.read(CIRCLE, "dxf", curve_tolerance=0.1, layer="A", weld=0.01).bounds == pytest.approx((4.3, 0.3, 5.7, 1.7))
+    grid = b"ncols 2\nnrows 2\nxllcorner -1\nyllcorner -1\ncellsize 2\n0.1 0.2\n0.1 0.2\n"
+    with pytest.raises(ValueError, match="black, white, box: only pictures have colours; .* ESRI ASCII grid"):
+        ff.read_sizes(grid, "esri", black=1, white=2, box=(0, 0, 1, 1))
 
 
 def test_maps_are_read_with_sizes_and_projected(tmp_path):

@@ -1,5 +1,6 @@
 #include "core/drawing/commands/trim_commands.hpp"
 
+#include "core/drawing/commands/changed_lengths.hpp"
 #include "core/drawing/commands/join_segments.hpp"
 #include "core/drawing/joints/joint_index.hpp"
 #include "core/drawing/shapes/curve_crossings.hpp"
@@ -339,6 +340,9 @@ Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at) 
     const std::vector<Vec2> places = placesOf(*path, *stretch);
     const double touch = jointTolerance(document);
     Result<Document> next = withoutStretch(document, *path, *stretch);
+    if (next) {
+        dropChangedLengths(document, *next, shape);
+    }
     for (const auto &other : document.shapes) {
         const bool apart = other->id == shape || other->hidden || other->locked || other->is<PointForm>();
         if (!next || apart || !boundsOf(*other).grown(touch).contains(places.front())) {
@@ -347,7 +351,11 @@ Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at) 
         const Result<Path> beside = pathOf(*next, other->id);
         const std::optional<PathStretch> same = beside ? stretchAlong(*beside, places, touch) : std::nullopt;
         if (same) {
-            next = withoutStretch(*next, *beside, *same);
+            const Document whole = *next;
+            next = withoutStretch(whole, *beside, *same);
+            if (next) {
+                dropChangedLengths(whole, *next, other->id);
+            }
         }
     }
     return next;
@@ -416,8 +424,12 @@ Result<Document> extendEnd(const Document &document, NodeRef end) {
             path.path().curves[last] = atStart ? longer.part(1.0, 0.0) : longer;
         }
     }
-    const Result<Document> next = replaceShape(document, std::move(path));
-    return next ? Result<Document>(joinToSegments(*next, end.shape)) : next;
+    Result<Document> next = replaceShape(document, std::move(path));
+    if (!next) {
+        return next;
+    }
+    dropChangedLengths(document, *next, end.shape);
+    return joinToSegments(*next, end.shape);
 }
 
 } // namespace forefront

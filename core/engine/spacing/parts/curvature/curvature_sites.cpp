@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -14,6 +15,7 @@ constexpr double kVisible = 1.0 / 5000.0; ///< smallest visible distance from a 
 constexpr double kAreaError = 0.002;      ///< fraction of the area that all edges together may cut off
 constexpr double kEven = 0.3;             ///< turning of a part, in radians, that is not worth dividing
 constexpr double kUneven = 2.0;           ///< ratio of the radii of the halves of a part that bends unevenly
+constexpr double kGrown = 0.02;           ///< growth of the size, relative to it, between a chord and its curve
 constexpr double kCorner = 3.0;           ///< bends with a smaller radius, in visible distances, are corners
 
 /// Returns the area inside, from the chords; std::nullopt if segments cross, or after a stop request.
@@ -50,9 +52,9 @@ double invisibleDistance(const Domain &domain, const LazyFaces &faces, const Cur
 }
 
 /// Visits the parts of a stretch of a curve along which it bends about evenly, with their mean radii: at a point, the
-/// radius may be zero. Parts no longer than `shortest` are not divided.
+/// radius may be zero. Parts no longer than `shortest` are not divided. `maxTurning`: of a part, in radians.
 template <class Visit>
-void forEachBend(const Curve &curve, CurveStretch stretch, double shortest, const Visit &visit) {
+void forEachBend(const Curve &curve, CurveStretch stretch, double shortest, double maxTurning, const Visit &visit) {
     struct Part {
         double t0, t1, length, turning;
         double radius() const { return length / turning; }
@@ -62,11 +64,11 @@ void forEachBend(const Curve &curve, CurveStretch stretch, double shortest, cons
     while (!open.empty()) {
         const Part whole = open.back();
         open.pop_back();
-        if (whole.turning > kEven && whole.length > shortest) {
+        if (whole.turning > std::min(kEven, maxTurning) && whole.length > shortest) {
             const double middle = 0.5 * (whole.t0 + whole.t1);
             const Part first = part(whole.t0, middle), second = part(middle, whole.t1);
             const double a = first.radius(), b = second.radius();
-            if (std::max(a, b) > kUneven * std::min(a, b)) {
+            if (std::max(a, b) > kUneven * std::min(a, b) || whole.turning > maxTurning) {
                 open.insert(open.end(), {second, first});
                 continue;
             }
@@ -84,6 +86,9 @@ void addCurvatureSites(const Domain &domain, const LazyFaces &faces, const Curve
         return;
     }
     const double shortest = kVisible * domain.bounds().diagonal();
+    // Sizes grow from the chords of the parts, to which the curve keeps a distance of about radius * turning² / 8.
+    const double maxTurning = visibleOnly ? std::numeric_limits<double>::infinity()
+                                          : std::sqrt(kGrown * 16.0 * std::numbers::pi / (segmentsPerTurn * gradation));
     const double invisible = visibleOnly ? invisibleDistance(domain, faces, chains, progress) : 0.0;
     for (const CurveChain &chain : chains.list) {
         if (progress.cancelled()) {
@@ -96,7 +101,7 @@ void addCurvatureSites(const Domain &domain, const LazyFaces &faces, const Curve
         for (const std::uint32_t s : chain.segments) {
             const DomainSegment &segment = domain.segments[s];
             const Vec2 ends[] = {domain.nodes[segment.a], domain.nodes[segment.b]};
-            forEachBend(curve, segment.stretch, shortest, [&](double t0, double t1, double radius) {
+            forEachBend(curve, segment.stretch, shortest, maxTurning, [&](double t0, double t1, double radius) {
                 if (!(radius > kCorner * invisible) || !std::isfinite(radius)) {
                     return;
                 }
