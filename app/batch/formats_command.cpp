@@ -7,6 +7,8 @@
 #include "core/files/json/json_writer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -52,21 +54,44 @@ std::string joined(const std::vector<std::string> &words) {
 }
 
 std::string column(std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size() + 1), ' ');
+    text.resize(std::max(width, text.size()), ' ');
     return text;
 }
 
+/// Returns one row per format: id, extensions, what is read, what is written, name.
+std::vector<std::array<std::string, 5>> formatRows(const std::vector<FileFormat> &formats) {
+    std::vector<std::array<std::string, 5>> rows{{"id", "extension", "reads", "writes", "name"}};
+    for (const FileFormat &format : formats) {
+        rows.push_back(
+            {format.id, extensionsOf(format), joined(readParts(format)), format.writesMesh ? "mesh" : "", format.name});
+    }
+    return rows;
+}
+
 std::string formatsTable() {
-    std::string table =
-        column("id", 11) + column("extension", 17) + column("reads", 31) + column("writes", 8) + "name\n";
-    for (const FileFormat &format : allFormats().list()) {
-        table += column(format.id, 11) + column(extensionsOf(format), 17) + column(joined(readParts(format)), 31) +
-                 column(format.writesMesh ? "mesh" : "", 8) + format.name + '\n';
+    const std::vector<FileFormat> formats = allFormats().list();
+    const std::vector<std::array<std::string, 5>> rows = formatRows(formats);
+    std::array<std::size_t, 5> widths{};
+    for (const auto &row : rows) {
+        for (std::size_t k = 0; k + 1 < row.size(); ++k) { // names end the lines
+            widths[k] = std::max(widths[k], row[k].size() + 2);
+        }
+    }
+    std::string table;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        for (std::size_t k = 0; k < rows[r].size(); ++k) {
+            table += column(rows[r][k], widths[k]);
+        }
+        table += '\n';
+        if (r == 0) {
+            continue;
+        }
+        const FileFormat &format = formats[r - 1];
         if (format.component[0] != '\0') {
-            table += column("", 11) + "Needs the component forefront-" + format.component + ".\n";
+            table += column("", widths[0]) + "Needs the component forefront-" + format.component + ".\n";
         }
         if (format.keeps[0] != '\0') {
-            table += column("", 11) + format.keeps + '\n';
+            table += column("", widths[0]) + format.keeps + '\n';
         }
     }
     return table;

@@ -138,7 +138,7 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
     addWordOption<ElementOrder>(
         app, "--order", arguments.order,
         "1 (default), or 2: elements with nodes in the middles of their edges, on the curves of "
-        "the domain")
+        "the domain; files have them after the corners, in the order of their format")
         ->type_name("ORDER");
     addWordOption<QuadNodes>(app, "--quad-nodes", arguments.quadNodes,
                              "nodes of a quadrilateral of order 2: 8 (default), or 9 with one in its centre")

@@ -5,6 +5,7 @@
 #include "app/batch/standard_output.hpp"
 #include "app/batch/suggestion.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/letter_case.hpp"
 #include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/files.hpp"
@@ -44,6 +45,24 @@ std::string listOf(const char *FileFormat::*word) {
     return list;
 }
 
+/// Returns true if a word is a proper name within the name of a format, such as "abaqus" in "Abaqus and CalculiX".
+bool namesProgram(const std::string &word, const std::string &name) {
+    constexpr std::size_t kShortest = 3; // letters
+    const std::size_t at = lowerCase(name).find(lowerCase(word));
+    return word.size() >= kShortest && at != std::string::npos && (at == 0 || name[at - 1] == ' ') && name[at] >= 'A' &&
+           name[at] <= 'Z';
+}
+
+/// Returns a suggestion for an unknown id: a similar one, or that of the format of the program with this name.
+std::string idSuggestion(const std::string &id) {
+    const std::string similar = formatSuggestion(id, &FileFormat::id);
+    const std::vector<FileFormat> formats = allFormats().list();
+    const auto known = std::find_if(formats.begin(), formats.end(), [&](const FileFormat &format) {
+        return format.writesMesh && namesProgram(id, format.name);
+    });
+    return !similar.empty() || known == formats.end() ? similar : std::string("; did you mean ") + known->id + '?';
+}
+
 std::filesystem::path resolved(const std::filesystem::path &file) {
     std::error_code none;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file, none), none);
@@ -69,8 +88,7 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
     }
     const FileFormat *const chosen = allFormats().withId(id);
     if (chosen == nullptr || !chosen->writesMesh) {
-        return "--format: unknown format '" + id + "'; expected one of " + formatIds() +
-               formatSuggestion(id, &FileFormat::id);
+        return "--format: unknown format '" + id + "'; expected one of " + formatIds() + idSuggestion(id);
     }
     if (isStandardStream(output) && filesOfMesh("x", id).size() > 1) {
         return "-o -: format " + id + " needs several files; name a file, or choose another format";

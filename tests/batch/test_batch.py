@@ -618,7 +618,7 @@ class Meshing(Case):
                                      ("sea:25.4,60;25.39,60", 1, "both nearest to the node")):
             self.assertIn(message, self.call("mesh", "coast.geojson", "-o", "a.msh", "--name", value, code=code).stderr)
         self.write("plate.json", PROJECT)
-        self.assertIn("--name: a project keeps names of its own",
+        self.assertIn("--name: the parts of a Forefront project keep names of their own",
                       self.call("mesh", "plate.json", "-o", "a.msh", "--name", "sea:0,0;4,0", code=2).stderr)
         self.call("mesh", "plate.poly", "-o", "a.msh", "--name", "inlet:0,0;0,0")
         self.assertIn("inlet", self.read("a.msh"))
@@ -2303,6 +2303,20 @@ class Telling(Case):
         for name in writable:
             self.assertIn(name, refused)
         self.assertIn("quadrilateral9", next(e for e in listed if e["id"] == "vtu")["elements"])
+        rows = [line for line in table.splitlines() if line and not line.startswith(" ")]
+        column = rows[0].index("name")
+        for row, entry in zip(rows[1:], listed):
+            self.assertEqual(row[column:], entry["name"])
+        for word, named in (("abaqus", "inp"), ("CalculiX", "inp"), ("msh3", "msh2")):
+            refused = self.call("mesh", "plate.poly", "-o", "a.msh", "--format", word, code=2).stderr
+            self.assertIn(f"; did you mean {named}?", refused)
+
+    def test_an_outline_that_does_not_close_is_warned_of_also_when_quiet(self):
+        self.write("open.wkt", "MULTILINESTRING((0 0,10 0,10 5,0 5,0 0.01),(3 2,6 2,6 3,3 3,3 2))\n")
+        warned = self.call("mesh", "open.wkt", "-q", "-o", "a.msh").stderr
+        self.assertRegex(warned, r"^open.wkt:1:\d+: warning: the outline does not close at \(0, 0(\.01)?\) by 0.01, so the area "
+                                 r"within it is not meshed; --weld 0.0105 closes it \[open-outline\]\n$")
+        self.assertEqual(self.call("mesh", "open.wkt", "-q", "-o", "a.msh", "--weld", "0.0105").stderr, "")
 
 
 class Convert(Case):

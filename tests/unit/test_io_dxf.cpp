@@ -292,7 +292,37 @@ TEST_CASE("DXF: layers are chosen by name, and those that are not shown are left
     options.layer = "outline,none";
     const Diagnostics faults = faultsIn(text, options);
     CHECK(hasCode(faults, "unknown-layer"));
+    CHECK(faults[0].message == "unknown layer 'none'");
     CHECK(faults[0].advice.find("'OUTLINE', 'HIDDEN'") != std::string::npos);
+    const std::string bare = drawing(
+        kSquare + " 0 TEXT 8 Title 1 x",
+        section("TABLES", groups("0 TABLE 2 LAYER 0 LAYER 2 Title 70 0 62 7 0 LAYER 2 OUTLINE 70 0 62 7 0 ENDTAB")));
+    options.layer = "TITLE";
+    CHECK(faultsIn(bare, options)[0].message == "the layer 'TITLE' has no lines or curves to read");
+    options.layer = "Outlines";
+    CHECK(faultsIn(bare, options)[0].message == "unknown layer 'Outlines'");
+}
+
+TEST_CASE("DXF: an outline of lines that does not close is warned of, and meshed with the tolerance advised") {
+    const std::string sides = "0 LINE 10 0 20 0 11 9.99 21 0 0 LINE 10 10 20 0 11 10 21 6 0 LINE 10 10 20 6 11 0 21 6 "
+                              "0 LINE 10 0 20 6 11 0 21 0.01";
+    const std::string text = drawing(sides + " 0 CIRCLE 10 5 20 3 40 1.5");
+    ImportNotes notes;
+    CHECK(chordArea(domainIn(text, &notes)) == doctest::Approx(2.25 * kPi).epsilon(0.01));
+    CHECK(countOf(notes, "the outline does not close at (0, 0) by 0.01, nor at another place, so the area within it "
+                         "is not meshed; --weld 0.0105 closes it") == 1);
+    CHECK(std::any_of(notes.entries().begin(), notes.entries().end(), [](const ImportNote &note) {
+        return note.code == "open-outline" && note.severity == Severity::Warning;
+    }));
+    ImportOptions options;
+    options.weldTolerance = 0.0105;
+    ImportNotes welded;
+    CHECK(chordArea(domainIn(text, &welded, options)) > 50.0);
+    CHECK(countOf(welded, "does not close") == 0);
+    ImportNotes closed;
+    domainIn(drawing(kSquare + " 0 LINE 10 2 20 2 11 4 21 2 0 LINE 10 4 20 2 11 4 21 4 0 LINE 10 4 20 4 11 2 21 2.01"),
+             &closed);
+    CHECK(countOf(closed, "an inner outline does not close at (2, 2") == 1);
 }
 
 TEST_CASE("DXF: what is no line in the plane is left out with its count") {
@@ -332,6 +362,10 @@ TEST_CASE("DXF: lines bound the domain, gaps are closed by welding, repeated cur
     ImportNotes twice;
     const Domain ring = domainIn(drawing(kSquare + " 0 CIRCLE 10 5 20 5 40 1 0 CIRCLE 10 5 20 5 40 1"), &twice);
     CHECK(countOf(twice, "drawn twice") == 1);
+    ImportNotes lines;
+    domainIn(drawing(kSquare + " 0 LINE 10 2 20 2 11 4 21 2 0 LINE 10 4 20 2 11 2 21 2 0 LINE 10 2 20 2 11 4 21 4"),
+             &lines);
+    CHECK(countOf(lines, "lines drawn twice are used once") == 1);
     CHECK(std::any_of(ring.segments.begin(), ring.segments.end(), [](const auto &s) { return s.stretch.follows(); }));
 }
 

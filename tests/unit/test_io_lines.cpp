@@ -49,6 +49,17 @@ bool hasNote(const ImportNotes &notes, std::string_view code) {
                        [&](const ImportNote &note) { return note.code == code; });
 }
 
+/// Returns the warning of an outline that does not close; empty if there is none.
+std::string warningIn(const ImportNotes &notes) {
+    for (const ImportNote &note : notes.entries()) {
+        if (note.code == "open-outline") {
+            CHECK(note.severity == Severity::Warning);
+            return note.message;
+        }
+    }
+    return {};
+}
+
 } // namespace
 
 TEST_CASE("Lines as outline: lines that form a loop are the outline, and their free ends are not") {
@@ -213,32 +224,53 @@ TEST_CASE("SVG: centre lines, axes and dimension lines are no outlines, and a no
     }
 }
 
-TEST_CASE("SVG: lines around an outline whose ends nearly meet are reported") {
+TEST_CASE("SVG: an outline that does not close is warned of, with the tolerance that closes it") {
     ImportNotes notes;
     REQUIRE(unfilled("<path d='M10 10H90V40'/><path d='M90 40.3H10V10'/><circle cx='50' cy='25' r='8'/>", notes).ok());
-    const auto found = std::find_if(notes.entries().begin(), notes.entries().end(),
+    CHECK(warningIn(notes) == "the outline does not close at (90, 10) by 0.3, so the area within it is not meshed; "
+                              "--weld 0.315 closes it");
+    ImportNotes dashes;
+    REQUIRE(unfilled("<path d='M10 10H90V40H10z'/><path d='M20 5H40'/><path d='M40.3 5H60'/>", dashes).ok());
+    CHECK(warningIn(dashes).empty());
+    const auto found = std::find_if(dashes.entries().begin(), dashes.entries().end(),
                                     [](const ImportNote &note) { return note.code == "line-gaps"; });
-    REQUIRE(found != notes.entries().end());
-    CHECK(found->message == "2 ends of lines nearly meet another end, at most 0.3 away, first at "
-                            "(90, 10); --weld 0.315 joins them");
+    REQUIRE(found != dashes.entries().end());
+    CHECK(found->message.starts_with("2 ends of lines nearly meet another end, at most 0.3 away, first at (40"));
+    CHECK(found->message.ends_with("; --weld 0.315 joins them"));
+}
+
+TEST_CASE("SVG: a hole that does not close is warned of") {
+    ImportNotes notes;
+    REQUIRE(unfilled("<path d='M10 10H90V40H10z'/><path d='M40 20H60V30H40V20.1'/>", notes).ok());
+    const std::string warning = warningIn(notes);
+    CHECK(warning.starts_with("an inner outline does not close at (40, "));
+    CHECK(warning.ends_with(" by 0.1, so it bounds neither a hole nor a part; --weld 0.105 closes it"));
+}
+
+TEST_CASE("GeoJSON: an outline of lines that does not close is warned of") {
+    ImportNotes notes;
+    const auto read =
+        geoJson("{\"type\":\"MultiLineString\",\"coordinates\":[[[0,0],[10,0],[10,5]],[[10,5.01],[0,5],[0,0.01]],"
+                "[[3,2],[6,2],[6,3],[3,3],[3,2]]]}",
+                notes);
+    REQUIRE(read.ok());
+    const std::string warning = warningIn(notes);
+    CHECK(warning.starts_with("the outline does not close at ("));
+    CHECK(warning.ends_with(
+        " by 0.01, nor at another place, so the area within it is not meshed; --weld 0.0105 closes it"));
 }
 
 TEST_CASE("SVG: a larger weld tolerance is advised only where it loses nothing") {
     ImportNotes notes;
     REQUIRE(unfilled("<path d='M10 10H90V40'/><path d='M90 40.3H10V10'/><circle cx='50' cy='25' r='.1'/>", notes).ok());
-    const auto found = std::find_if(notes.entries().begin(), notes.entries().end(),
-                                    [](const ImportNote &note) { return note.code == "line-gaps"; });
-    REQUIRE(found != notes.entries().end());
-    CHECK(found->message == "2 ends of lines nearly meet another end, at most 0.3 away, first at "
-                            "(90, 10); join them in the drawing");
+    CHECK(warningIn(notes) == "the outline does not close at (90, 10) by 0.3, so the area within it is not meshed; "
+                              "close it in the drawing");
     ImportNotes others;
     REQUIRE(unfilled("<path d='M10 10H90V40'/><path d='M90 40.01H10V10'/><path d='M20 5h9m.9 0h9'/>"
                      "<circle cx='50' cy='25' r='.5'/>",
                      others)
                 .ok());
-    CHECK(std::any_of(others.entries().begin(), others.entries().end(), [](const ImportNote &note) {
-        return note.code == "line-gaps" && note.message.find("; --weld 0.0105 joins them") != std::string::npos;
-    }));
+    CHECK(warningIn(others).ends_with("; --weld 0.0105 closes it"));
 }
 
 TEST_CASE("SVG: an outline drawn twice counts once, wherever it begins and in either direction") {
@@ -280,9 +312,15 @@ TEST_CASE("SVG: an invisible frame around open strokes is no outline") {
 }
 
 TEST_CASE("SVG: a domain that is only a part of the drawing is reported") {
-    const std::string open = "<path d='M10 10H90V40H10V20'/>";
+    const std::string part = "<path d='M40 20h10v10h-10z'/>";
+    ImportNotes open;
+    REQUIRE(unfilled("<path d='M10 10H90V40H10V20'/>" + part, open).ok());
+    CHECK(warningIn(open).starts_with("the outline does not close at (10, "));
+    CHECK(warningIn(open).ends_with(" by 10, so the area within it is not meshed; close it in the drawing"));
+    CHECK_FALSE(hasNote(open, "small-domain"));
     ImportNotes notes;
-    REQUIRE(unfilled(open + "<path d='M40 20h10v10h-10z'/>", notes).ok());
+    REQUIRE(unfilled("<path d='M10 10H90'/><path d='M10 40H90'/>" + part, notes).ok());
+    CHECK(warningIn(notes).empty());
     CHECK(std::any_of(notes.entries().begin(), notes.entries().end(), [](const ImportNote &note) {
         return note.code == "small-domain" && note.message.find("from (40, 20) to (50, 30)") != std::string::npos;
     }));

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -133,6 +134,12 @@ TEST_CASE("WKT: polygons with holes, lines, points and collections") {
     CHECK(many.regionMarkers.size() == 2);
     CHECK(many.points.size() == 2);
     CHECK(pt::readOf(readWkt, "LINESTRING(0 0,1 0,1 1,0 0)\nPOINTZ(0.7 0.2 1)").segments.size() == 3);
+    ImportNotes open;
+    pt::readOf(readWkt, "MULTILINESTRING((0 0,10 0,10 5,0 5,0 0.01),(3 2,6 2,6 3,3 3,3 2))", &open);
+    CHECK(std::any_of(open.entries().begin(), open.entries().end(), [](const ImportNote &note) {
+        return note.code == "open-outline" && note.severity == Severity::Warning &&
+               note.message.ends_with(" by 0.01, so the area within it is not meshed; --weld 0.0105 closes it");
+    }));
     ImportNotes notes;
     pt::readOf(readWkt, "SRID=4326;POLYGON((0 0,1 0,1 1,0 0))", &notes);
     REQUIRE(notes.entries().size() == 1);

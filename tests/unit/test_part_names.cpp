@@ -82,6 +82,8 @@ TEST_CASE("Part names: a known name keeps its tag, later stretches win, and the 
     CHECK(domain.segments[1].tag == 7);
     CHECK(middlesOf(domain, "mouth") == std::vector<Vec2>{{2, 0}});
     CHECK(messages(remarks).find("'mouth' is named: 1 segment, 4 long, from (0, 0) to (4, 0)") != std::string::npos);
+    CHECK(messages(remarks).find("to (4, 0), and joins the other segment that has this name; 'mouth'") !=
+          std::string::npos);
     CHECK(nameParts({}, domain).empty());
 }
 

@@ -7,6 +7,7 @@ from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _core
+from ._arguments import refuse_unknown, warn_of
 from ._core import Fault
 from ._files import source_of
 
@@ -145,14 +146,18 @@ class Domain(_core.DomainBase):
 
         Projects, DXF, SVG, GeoJSON, TopoJSON, well-known text, .poly, CSV, airfoils, FEMM and the outlines of
         meshes. format: an id of :func:`formats`; None: by content, then by extension. Options, as of the batch program:
-        curve_tolerance, weld, layer, names, sizes, projection, overlap ("later" or "smaller": the polygon of a map that
+        curve_tolerance, weld (a length: ends closer than that are joined), layer (a name, or a list of names), names, sizes, projection, overlap ("later" or "smaller": the polygon of a map that
         wins where two overlap), strict, beyond_page, drop_lines, stroke_areas, shape_regions, white_holes, degrees
         ("warn", "keep" or "local"), parameters (a dict of expressions), parts ({name: (start, end)}, as :meth:`name_part`
         takes them, with places in the coordinates of the file). Raises ValueError for an option that the format lacks.
-        ``notes`` of the domain lists what the reader did not use.
+        ``notes`` of the domain lists what the reader did not use. Its warnings, such as of an outline that does not
+        close, are Python's warnings, too.
         """
+        refuse_unknown("Domain.read", options, _core.reading_options())
         source, identifier = source_of(file, format)
-        return cls(_core.read_domain(source, identifier, options))
+        domain = cls(_core.read_domain(source, identifier, options))
+        warn_of(domain.notes)
+        return domain
 
     @classmethod
     def from_geojson(cls, geojson: Union[str, bytes, Mapping[str, Any]], **options: Any) -> "Domain":

@@ -8,6 +8,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _core, _packages
+from ._arguments import names_of, refuse_unknown
 from ._core import Fault
 from ._domain import Domain
 from ._writing import form_of
@@ -22,6 +23,9 @@ class Mesh(_core.MeshBase):
 
     A mesh of quadrilaterals alone has ``elements`` of shape (m, 4). One of several kinds has ``blocks``, a dict from
     the kind, such as 'triangle3', to its elements; ``regions`` runs through all blocks in turn.
+
+    Elements of order 2 have 6 nodes, or 8 or 9: first the corners, counter-clockwise, then the middles of the edges from
+    each corner to the next, beginning with that from corner 0 to corner 1, and last the centre of quadrilaterals of 9.
     """
 
     node_values: Dict[str, np.ndarray]
@@ -106,6 +110,7 @@ class Mesh(_core.MeshBase):
         """
         from ._sizes import job_of
 
+        refuse_unknown("with_size", options, names_of(job_of))
         job = job_of(Domain(_core.outline(self)), size, **options)
         return self._with_values(self._with_spacing(*job.arguments))
 
@@ -131,9 +136,10 @@ class Mesh(_core.MeshBase):
     def check(self, domain: Optional[Domain] = None, **limits: float) -> List[Fault]:
         """Checks that the mesh is valid and, if it is given, fits its domain; returns all faults and notes.
 
-        limits: such as min_angle=25, max_angle, min_alpha, min_scaled_jacobian, max_aspect, max_growth, min_length,
-        max_length, min_delta, min_across, max_valence. Each place that violates one is a fault. min_delta needs a node spacing: a
-        mesh that was read gets it from :meth:`with_size`.
+        limits: such as min_angle=25, max_angle, min_alpha, min_scaled_jacobian, max_aspect, max_layer_aspect,
+        max_growth, min_length, max_length, min_delta, min_across, max_valence. Each place that violates one is a fault.
+        With max_layer_aspect, max_aspect is one of the elements outside boundary layers. min_delta needs a node spacing:
+        a mesh that was read gets it from :meth:`with_size`.
         """
         return self._check(domain, limits_of(limits))
 
@@ -151,6 +157,7 @@ class Mesh(_core.MeshBase):
         as in the mesh, 'apart': different ones · unit, 'mm', 'cm', 'm', 'km', 'in', 'ft' or 'none': of the coordinates,
         which do not change; None: that of the domain.
         """
+        refuse_unknown("write", form, names_of(form_of))
         options, notes = form_of(self, inner_edges=inner_edges, **form)
         notes = notes + self._dropped_values()
         if not hasattr(file, "write"):
@@ -170,6 +177,7 @@ class Mesh(_core.MeshBase):
 
     def to_bytes(self, format: str, inner_edges: Optional[bool] = None, **form: Any) -> bytes:
         """Returns the file of a format that has one file. form: as for :meth:`write`."""
+        refuse_unknown("to_bytes", form, names_of(form_of))
         return self._to_bytes(format, form_of(self, inner_edges=inner_edges, **form)[0])[0]
 
     def numbered(self, order: Union[str, Sequence[int]] = "rcm") -> "Mesh":

@@ -6,6 +6,7 @@ from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Tup
 import numpy as np
 
 from . import _core
+from ._arguments import names_of, refuse_unknown
 from ._core import Fault
 from ._domain import Domain, domain_of
 from ._files import source_of
@@ -21,7 +22,8 @@ def mesh(domain: Any, size: Any = None, *, limits: Optional[Mapping[str, float]]
     """Meshes a domain.
 
     domain: a :class:`Domain`, a loop of shape (n, 2), a list of loops, the path of a file, GeoJSON as a dict, or an object with
-    ``__geo_interface__``.
+    ``__geo_interface__``. How a file is read is up to :meth:`Domain.read`, which takes weld, layer and other options of
+    readers: ``mesh(Domain.read("part.dxf", weld=0.01), 3)``.
 
     size: the length of the edges: a number; an expression in x and y; a function of arrays x and y, both of shape (k,),
     that returns k sizes, or one; a :class:`Grid`; a :class:`Background`; what :func:`read_sizes` returned; for features, the name of a
@@ -36,7 +38,7 @@ def mesh(domain: Any, size: Any = None, *, limits: Optional[Mapping[str, float]]
     boundaries · keep_automatic: sources only refine automatic sizes · from_boundary: given segments set the size ·
     parameters, {name: value} of the expression · curve_tolerance, a length · names, the property of features that
     holds the names of regions · elements: 'triangles', 'quads' or 'mixed' · order: 2 for nodes in the middles of edges,
-    on the curves of the domain · quad_nodes: 8 or 9, of quadrilaterals of order 2 · method: 'fast' or 'classic' · rules of
+    on the curves of the domain, in the order that :class:`Mesh` tells · quad_nodes: 8 or 9, of quadrilaterals of order 2 · method: 'fast' or 'classic' · rules of
     the classic method, a dict such as {'base': 'oldest', 'radius': 2} or a JSON file · grid: 'none', 'uniform',
     'uniform:COLSxROWS' or 'hierarchical' · improve: 'none', 'default' or 'best' · threads · keep_boundary: do not divide the given
     segments · target_elements: scale all sizes until the mesh has about so many elements, within 5 % · rasters,
@@ -53,8 +55,9 @@ def mesh(domain: Any, size: Any = None, *, limits: Optional[Mapping[str, float]]
     size function raises ends the run and arrives unchanged, as does Ctrl-C.
 
     ``notes`` of the mesh has what the reader of a file did not use or warns of, what a repair changed, and the notes of
-    the run. Raises MeshError, with places, if the domain or a size is invalid.
+    the run. Warnings of readers are Python's warnings, too. Raises MeshError, with places, if the domain or a size is invalid.
     """
+    refuse_unknown("mesh", options, [*names_of(mesh), *names_of(job_of)])
     job = job_of(domain, size, progress=progress, **options)
     result = Mesh(_core.mesh(*job.arguments, limits_of(limits), fix, progress))
     if job.sampled is not None and job.sampled.error(result.nodes) > TOLERANCE:
@@ -80,6 +83,7 @@ def estimate(domain: Any, size: Any = None, *, progress: Optional[Progress] = No
     Numbers of triangles are within 15 %. Numbers of quadrilaterals differ by up to a half where sizes change fast, and
     elements that min_angle adds are not counted.
     """
+    refuse_unknown("estimate", options, names_of(job_of))
     job = job_of(domain, size, progress=progress, **options)
     return Estimate(*_core.estimate(*job.arguments, progress))
 

@@ -10,6 +10,7 @@ from typing import Any, Dict, Iterator, List, Optional
 import numpy as np
 
 from . import _core
+from ._arguments import names_of, refuse_unknown
 from ._errors import MeshError
 from ._mesh import Mesh
 from ._sizes import Job, job_of
@@ -132,4 +133,5 @@ def run(domain: Any, size: Any = None, *, progress: Any = None, **options: Any) 
 
     method='classic' makes one element per advance by S. H. Lo's ten steps; 'fast' up to three.
     """
+    refuse_unknown("run", options, names_of(job_of))
     return Run(job_of(domain, size, progress=progress, **options), progress)

@@ -1,8 +1,11 @@
 #include "app/python/source/faults.hpp"
 
 #include <array>
+#include <cstddef>
 #include <pybind11/stl.h>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace forefront::python {
@@ -30,6 +33,42 @@ py::list partsOf(const Diagnostic &fault) {
     return parts;
 }
 
+/// What messages for the command line call options of readers, and what they are in Python. Longer ones come first.
+constexpr std::array kOptionNames = {
+    std::pair("--no-white-holes", "white_holes=False"),
+    std::pair("--curve-tolerance ", "curve_tolerance="),
+    std::pair("--curve-tolerance", "curve_tolerance"),
+    std::pair("--allow-degrees", "degrees='keep'"),
+    std::pair("--shape-regions", "shape_regions=True"),
+    std::pair("--name-property", "names"),
+    std::pair("--stroke-areas", "stroke_areas=True"),
+    std::pair("--white-holes", "white_holes=True"),
+    std::pair("--drop-lines", "drop_lines=True"),
+    std::pair("--projection local", "projection='local'"),
+    std::pair("--projection", "projection"),
+    std::pair("--repair", "repair=True"),
+    std::pair("--strict", "strict"),
+    std::pair("--layer", "layer"),
+    std::pair("--weld ", "weld="),
+};
+
+/// Returns a text with the options of readers as arguments in Python.
+std::string inPython(std::string text) {
+    for (const auto &[option, argument] : kOptionNames) {
+        for (std::size_t at = text.find(option); at != std::string::npos; at = text.find(option, at)) {
+            text.replace(at, std::string_view(option).size(), argument);
+            at += std::string_view(argument).size();
+        }
+    }
+    return text;
+}
+
+std::string textOf(Diagnostic fault) {
+    fault.message = inPython(std::move(fault.message));
+    fault.advice = inPython(std::move(fault.advice));
+    return toString(fault);
+}
+
 } // namespace
 
 void bindFaults(py::module_ &module) {
@@ -38,8 +77,11 @@ void bindFaults(py::module_ &module) {
             "severity", [](const Diagnostic &fault) { return severityWord(fault.severity); },
             "'error', 'warning' or 'note'")
         .def_readonly("code", &Diagnostic::code, "Stable identifier, such as 'crossing-segments'")
-        .def_readonly("message", &Diagnostic::message, "What is wrong, with the value and what was expected")
-        .def_readonly("advice", &Diagnostic::advice, "How to fix it; may be empty")
+        .def_property_readonly(
+            "message", [](const Diagnostic &fault) { return inPython(fault.message); },
+            "What is wrong, with the value and what was expected")
+        .def_property_readonly(
+            "advice", [](const Diagnostic &fault) { return inPython(fault.advice); }, "How to fix it; may be empty")
         .def_property_readonly("at", &atOf, "Place (x, y) in domain units, or None")
         .def_property_readonly("parts", &partsOf,
                                "Parts of the domain involved, as tuples (kind, index); the kind is 'node', 'segment', "
@@ -48,8 +90,8 @@ void bindFaults(py::module_ &module) {
         .def_readonly("file", &Diagnostic::file, "File that holds the fault; empty if none does")
         .def_readonly("line", &Diagnostic::line, "Line of the file, from 1; 0 if unknown")
         .def_readonly("column", &Diagnostic::column, "Column of the line, from 1; 0 if unknown")
-        .def("__str__", [](const Diagnostic &fault) { return toString(fault); })
-        .def("__repr__", [](const Diagnostic &fault) { return "<Fault " + toString(fault) + ">"; })
+        .def("__str__", [](const Diagnostic &fault) { return textOf(fault); })
+        .def("__repr__", [](const Diagnostic &fault) { return "<Fault " + textOf(fault) + ">"; })
         .def(py::pickle(
             [](const Diagnostic &fault) {
                 return py::make_tuple(static_cast<int>(fault.severity), fault.code, fault.message, fault.advice,

@@ -11,14 +11,17 @@
 #include "core/drawing_files/reader_options.hpp"
 #include "core/files/files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront::python {
 
@@ -45,57 +48,97 @@ PythonFile fileOf(const py::object &source, const std::string &format) {
     return file;
 }
 
+void setOverlap(ImportOptions &options, const std::string &word) {
+    const std::optional<OverlapRule> rule = fromWord<OverlapRule>(word);
+    if (!rule) {
+        throw py::value_error("overlap: expected " + wordList<OverlapRule>() + ", got '" + word + "'");
+    }
+    options.overlap = *rule;
+}
+
+void setDegrees(ImportOptions &options, const std::string &word) {
+    if (word != "warn" && word != "keep" && word != "local") {
+        throw py::value_error("degrees: expected warn, keep or local, got '" + word + "'");
+    }
+    options.degrees = word == "warn" ? DegreeRule::Warn : word == "keep" ? DegreeRule::Keep : DegreeRule::Local;
+}
+
+/// Takes a name, or a list of names.
+void setLayer(ImportOptions &options, const py::handle &value) {
+    if (py::isinstance<py::str>(value)) {
+        options.layer = value.cast<std::string>();
+        return;
+    }
+    options.layer.emplace();
+    for (const std::string &name : value.cast<std::vector<std::string>>()) {
+        *options.layer += (options.layer->empty() ? "" : ",") + name;
+    }
+}
+
+void setParts(ImportOptions &options, const py::handle &value) {
+    for (const auto &[part, places] : value.cast<std::map<std::string, std::array<std::array<double, 2>, 2>>>()) {
+        const auto &[from, to] = places;
+        options.partNames.push_back({part, {from[0], from[1]}, {to[0], to[1]}});
+    }
+}
+
+/// An option of Domain.read(): its keyword, what it takes, and how it is set.
+struct ReadingOption {
+    const char *name;
+    const char *expected;
+    void (*set)(ImportOptions &, const py::handle &);
+};
+
+/// Sets a member of the options from a Python value.
+template <auto Member, class Value>
+void setMember(ImportOptions &options, const py::handle &value) {
+    options.*Member = value.cast<Value>();
+}
+
+constexpr ReadingOption kReadingOptions[] = {
+    {"curve_tolerance", "a length", &setMember<&ImportOptions::curveTolerance, double>},
+    {"weld", "a length", &setMember<&ImportOptions::weldTolerance, double>},
+    {"layer", "a name, or a list of names", &setLayer},
+    {"names", "the name of a property", &setMember<&ImportOptions::nameProperty, std::string>},
+    {"sizes", "the name of a property", &setMember<&ImportOptions::sizeProperty, std::string>},
+    {"projection", "a text such as 'EPSG:3067'", &setMember<&ImportOptions::projection, std::string>},
+    {"overlap", "'later' or 'smaller'",
+     [](ImportOptions &options, const py::handle &value) { setOverlap(options, value.cast<std::string>()); }},
+    {"strict", "True or False", &setMember<&ImportOptions::strict, bool>},
+    {"beyond_page", "True or False", &setMember<&ImportOptions::beyondPage, bool>},
+    {"drop_lines", "True or False", &setMember<&ImportOptions::dropLines, bool>},
+    {"stroke_areas", "True or False", &setMember<&ImportOptions::strokeAreas, bool>},
+    {"shape_regions", "True or False", &setMember<&ImportOptions::shapeRegions, bool>},
+    {"white_holes", "True or False", &setMember<&ImportOptions::whiteHoles, bool>},
+    {"degrees", "'warn', 'keep' or 'local'",
+     [](ImportOptions &options, const py::handle &value) { setDegrees(options, value.cast<std::string>()); }},
+    {"parts", "a dict such as {'inlet': ((0, 0), (0, 1))}", &setParts},
+    {"parameters", "a dict of expressions such as {'r': '2*t'}",
+     &setMember<&ImportOptions::parameters, std::map<std::string, std::string>>},
+};
+
+std::vector<std::string> readingOptionNames() {
+    std::vector<std::string> names;
+    for (const ReadingOption &option : kReadingOptions) {
+        names.emplace_back(option.name);
+    }
+    return names;
+}
+
 /// Takes options of readers from keyword arguments.
 void setImportOptions(ImportOptions &options, const py::dict &given) {
     for (const auto &[key, value] : given) {
         const auto name = key.cast<std::string>();
-        if (name == "curve_tolerance") {
-            options.curveTolerance = value.cast<double>();
-        } else if (name == "weld") {
-            options.weldTolerance = value.cast<double>();
-        } else if (name == "layer") {
-            options.layer = value.cast<std::string>();
-        } else if (name == "names") {
-            options.nameProperty = value.cast<std::string>();
-        } else if (name == "sizes") {
-            options.sizeProperty = value.cast<std::string>();
-        } else if (name == "projection") {
-            options.projection = value.cast<std::string>();
-        } else if (name == "overlap") {
-            const auto word = value.cast<std::string>();
-            const std::optional<OverlapRule> rule = fromWord<OverlapRule>(word);
-            if (!rule) {
-                throw py::value_error("overlap: expected " + wordList<OverlapRule>() + ", got '" + word + "'");
-            }
-            options.overlap = *rule;
-        } else if (name == "strict") {
-            options.strict = value.cast<bool>();
-        } else if (name == "beyond_page") {
-            options.beyondPage = value.cast<bool>();
-        } else if (name == "drop_lines") {
-            options.dropLines = value.cast<bool>();
-        } else if (name == "stroke_areas") {
-            options.strokeAreas = value.cast<bool>();
-        } else if (name == "shape_regions") {
-            options.shapeRegions = value.cast<bool>();
-        } else if (name == "white_holes") {
-            options.whiteHoles = value.cast<bool>();
-        } else if (name == "degrees") {
-            const auto word = value.cast<std::string>();
-            if (word != "warn" && word != "keep" && word != "local") {
-                throw py::value_error("degrees: expected warn, keep or local, got '" + word + "'");
-            }
-            options.degrees = word == "warn" ? DegreeRule::Warn : word == "keep" ? DegreeRule::Keep : DegreeRule::Local;
-        } else if (name == "parts") {
-            for (const auto &[part, places] :
-                 value.cast<std::map<std::string, std::array<std::array<double, 2>, 2>>>()) {
-                const auto &[from, to] = places;
-                options.partNames.push_back({part, {from[0], from[1]}, {to[0], to[1]}});
-            }
-        } else if (name == "parameters") {
-            options.parameters = value.cast<std::map<std::string, std::string>>();
-        } else {
+        const auto *const option = std::find_if(std::begin(kReadingOptions), std::end(kReadingOptions),
+                                                [&](const ReadingOption &each) { return each.name == name; });
+        if (option == std::end(kReadingOptions)) {
             throw py::type_error("unknown option '" + name + "' of a reader");
+        }
+        try {
+            option->set(options, value);
+        } catch (const py::cast_error &) {
+            throw py::type_error(name + ": expected " + option->expected + ", got " +
+                                 py::repr(value).cast<std::string>());
         }
     }
 }
@@ -246,6 +289,7 @@ py::list formatList() {
 
 void bindReading(py::module_ &module) {
     module.def("read_domain", &readDomainOf);
+    module.def("reading_options", &readingOptionNames, "Returns the keywords of Domain.read()");
     module.def("read_mesh", &readMeshOf);
     module.def("read_sizes", &readSizes);
     module.def("formats", &formatList);

@@ -132,3 +132,14 @@ def test_segments_without_markers_have_0_inside_and_1_on_the_boundary():
     assert sorted(set(kept["segment_markers"].ravel())) == [1, 5]
     with pytest.raises(ValueError, match="vertex_attributes"):
         tr.triangulate({**graph, "vertex_attributes": np.zeros((8, 1))}, "p")
+
+
+@pytest.mark.parametrize("given, switches, message", [
+    ({}, "p", "^vertices: they are missing"),
+    ({"vertices": [(0, 0), (1, 0), (0, 1)]}, "p", "^segments: the switch p needs them"),
+    ({"vertices": [(0, 0), (1, 0), (np.nan, 1)]}, "", r"^vertices\[2\]: expected finite coordinates, got \(nan, 1\)"),
+    ({"vertices": [(0, 0), (1, 0)]}, "", "at least three that are not on one line"),
+    ({"vertices": [(0, 0), (1, 1), (2, 2)]}, "", "at least three that are not on one line")])
+def test_vertices_that_span_nothing_are_told(given, switches, message):
+    with pytest.raises(ValueError, match=message):
+        tr.triangulate(given, switches)

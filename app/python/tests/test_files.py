@@ -4,6 +4,7 @@ import json
 import pickle
 import sys
 import types
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -83,10 +84,52 @@ def test_domains_are_read_with_their_sizes(tmp_path):
     domain = ff.Domain.read(text.encode(), "poly")
     assert len(domain.nodes) == 4 and domain.bounds == (0, 0, 2, 1)
     assert ff.mesh(domain).hash == mesh.hash
-    with pytest.raises(TypeError, match="unknown option 'colour'"):
+    with pytest.raises(TypeError, match=r"^Domain.read\(\) has no argument 'colour'; expected one of curve_tolerance, "):
         ff.Domain.read(file, colour=1)
     drawing = ff.Domain.read(b'<svg xmlns="http://www.w3.org/2000/svg"><rect width="3" height="2"/><text>a</text></svg>')
     assert drawing.notes and drawing.notes[0].severity == "note"
+
+
+OPEN = b"MULTILINESTRING((0 0,10 0,10 5,0 5,0 0.01),(3 2,6 2,6 3,3 3,3 2))"
+
+
+def test_an_outline_that_does_not_close_is_warned_of(tmp_path):
+    text = "the outline does not close at .* by 0.01, so the area within it is not meshed; weld=0.0105 closes it"
+    with pytest.warns(UserWarning, match=text) as seen:
+        domain = ff.Domain.read(OPEN, "wkt")
+    assert seen[0].filename == __file__
+    assert any(note.severity == "warning" and "weld=0.0105" in note.message for note in domain.notes)
+    (tmp_path / "open.wkt").write_bytes(OPEN)
+    with pytest.warns(UserWarning, match=text) as seen:
+        assert ff.mesh(tmp_path / "open.wkt", 1).quality("area").sum() == pytest.approx(3)
+    assert seen[0].filename == __file__
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        whole = ff.mesh(ff.Domain.read(OPEN, "wkt", weld=0.0105), 1)
+    assert whole.quality("area").sum() == pytest.approx(47, abs=0.1)
+
+
+def test_layers_may_be_a_list_and_wrong_types_are_told():
+    assert ff.Domain.read(CIRCLE, "dxf", layer=["A"]).bounds == ff.Domain.read(CIRCLE, "dxf", layer="A").bounds
+    for option, value, text in (("layer", 3, "a name, or a list of names, got 3"), ("weld", "much", "a length, got 'much'"),
+                                ("parts", {"A": (0, 50)}, "a dict such as .* got {'A': .0, 50.}"),
+                                ("strict", "yes", "True or False, got 'yes'")):
+        with pytest.raises(TypeError, match=f"^{option}: expected {text}"):
+            ff.Domain.read(CIRCLE, "dxf", **{option: value})
+
+
+def test_unknown_arguments_are_named_with_what_was_meant(plate):
+    wrong = [(lambda: ff.mesh("part.dxf", 3, weld=1), r"mesh\(\) has no argument 'weld', .* Domain.read\(file, weld=...\)"),
+             (lambda: ff.mesh(plate, 3, ordre=2), r"mesh\(\) has no argument 'ordre'; did you mean 'order'\?"),
+             (lambda: ff.mesh(plate, 3, wled=2), r"mesh\(\) has no argument 'wled'; did you mean 'weld' of Domain.read\(\)"),
+             (lambda: ff.estimate(plate, 3, colour=2), r"estimate\(\) has no argument 'colour'; expected one of sources, "),
+             (lambda: ff.run(plate, 3, methd="classic"), r"run\(\) has no argument 'methd'; did you mean 'method'\?"),
+             (lambda: ff.Domain.read(CIRCLE, "dxf", wled=1), r"Domain.read\(\) has no argument 'wled'; did you mean 'weld'\?"),
+             (lambda: ff.mesh(plate, 1).to_bytes("msh2", unti="mm"), r"to_bytes\(\) .* 'unti'; did you mean 'unit'\?"),
+             (lambda: ff.mesh(plate, 1).write("a.msh", unti="mm"), r"write\(\) .* 'unti'; did you mean 'unit'\?")]
+    for call, text in wrong:
+        with pytest.raises(TypeError, match=f"^{text}"):
+            call()
 
 
 def test_fields_come_with_their_mesh():

@@ -5,6 +5,7 @@
 #include "core/drawing/arrangement/repeated_lines/near_lines.hpp"
 #include "core/drawing/arrangement/snapping/snap_lines.hpp"
 #include "core/drawing_files/common/line_outline.hpp"
+#include "core/drawing_files/common/open_outline.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/base/number_text.hpp"
 
@@ -162,7 +163,9 @@ Result<Domain> DrawingBuilder::finish() {
         return Diagnostics{faultAt(source_, 0, "empty-domain", "the outlines enclose no area",
                                    "draw a closed outline, or lower the weld tolerance")};
     }
-    noteSmallDomain(arranged->domain, lines);
+    if (!open_) { // which says more
+        noteSmallDomain(arranged->domain, lines);
+    }
     noteFeatureGaps(*arranged);
     noteShortSegments(*arranged);
     noteLines(*arranged);
@@ -185,7 +188,7 @@ Result<Arrangement> DrawingBuilder::arrangeParts() {
         Result<Arrangement> arranged = arrange(input_);
         const LineLoops loops = arranged ? takeLinesAsOutline(arranged->domain) : LineLoops{};
         if (arranged && (outlines || loops.segments > 0)) {
-            noteLineGaps(*arranged);
+            noteLineGaps(*arranged, loops.segments);
             noteLoopsLeft(*arranged, loops);
         }
         if (loops.segments > 0) {
@@ -299,47 +302,26 @@ void DrawingBuilder::noteLoopsLeft(const Arrangement &lines, const LineLoops &lo
     }
 }
 
-/// Reports lines that would form loops if their ends met, with a tolerance that joins them, or the closest of them.
-void DrawingBuilder::noteLineGaps(const Arrangement &lines) const {
-    constexpr double kSteps[] = {1.0, 0.1, 0.01};
-    constexpr std::size_t kMost = 1000; // ends; more are those of hatching, and trials would take long
-    const double near = kNearEnds * lines.domain.bounds().diagonal();
-    const LineGaps all = findLineGaps(lines.domain, near);
-    if (all.count == 0) {
+/// Warns of outlines that do not close, and reports other lines whose ends nearly meet.
+void DrawingBuilder::noteLineGaps(const Arrangement &lines, std::size_t boundary) {
+    if (source_.notes == nullptr) {
         return;
     }
-    const auto noteGaps = [&](const LineGaps &gaps, const std::string &advice) {
+    const GapFindings found = examineGaps(input_, lines, boundary);
+    const std::optional<OpenOutline> open = found.open ? found.open : findOpenOutline(lines.domain);
+    if (open) {
+        source_.warn("open-outline", openOutlineText(*open, found.open ? found.weld : 0.0),
+                     offsetOf(lines.stretches[open->segment].piece));
+        open_ = open->outer;
+    } else if (const LineGaps &gaps = found.gaps; gaps.count > 0) {
         source_.note("line-gaps",
                      countText(gaps.count, "end") + " of lines nearly " + (gaps.count == 1 ? "meets" : "meet") +
                          " another end, at most " + numberText(gaps.widest, 3) + " away, first at " +
-                         placeText(gaps.first) + "; " + advice,
-                     offsetOf(lines.stretches[gaps.segment].piece));
-    };
-    for (const double step : kSteps) {
-        const LineGaps gaps = findLineGaps(lines.domain, step * near);
-        const double tolerance = kSpare * gaps.widest;
-        if (gaps.count > 0 && gaps.count <= kMost && joinsAlone(lines, tolerance, step * near)) {
-            noteGaps(gaps, "--weld " + numberText(tolerance, 3) + " joins them");
-            return;
-        }
+                         placeText(gaps.ends.front().at) + "; " +
+                         (found.weld > 0.0 ? "--weld " + numberText(found.weld, 3) + " joins them"
+                                           : std::string("join them in the drawing")),
+                     offsetOf(lines.stretches[gaps.ends.front().segment].piece));
     }
-    noteGaps(all, "join them in the drawing");
-}
-
-/// Returns true if a larger tolerance joins the ends of lines within `near` of each other, and loses nothing.
-bool DrawingBuilder::joinsAlone(const Arrangement &lines, double tolerance, double near) const {
-    const auto lost = [](const Arrangement &arrangement) {
-        std::size_t count = 0;
-        for (const ArrangementChange &change : arrangement.changes) {
-            const bool loses = change.kind == ChangeKind::ShortPieces || change.kind == ChangeKind::VanishedShapes;
-            count += loses ? change.count : 0;
-        }
-        return count;
-    };
-    ArrangementInput input = input_;
-    input.tolerance = tolerance;
-    const Result<Arrangement> joined = arrange(input);
-    return joined && findLineGaps(joined->domain, near).count == 0 && lost(*joined) <= lost(lines);
 }
 
 /// Reports a domain that contains only a part of the drawn lines.

@@ -87,8 +87,7 @@ class DrawingBuilder {
     void warnOfOverlaps() const;
     void warnOfCrossings(const Arrangement &lines) const;
     std::string pairText(std::uint32_t first, std::uint32_t second) const;
-    void noteLineGaps(const Arrangement &lines) const;
-    bool joinsAlone(const Arrangement &lines, double tolerance, double near) const;
+    void noteLineGaps(const Arrangement &lines, std::size_t boundary);
     void noteSmallDomain(const Domain &domain, const Box2 &lines) const;
     void noteFeatureGaps(const Arrangement &arrangement) const;
     void noteShortSegments(const Arrangement &arrangement) const;
@@ -101,6 +100,7 @@ class DrawingBuilder {
     ArrangementInput input_;
     std::vector<std::uint32_t> rings_; ///< the first piece of each ring
     bool linesBound_ = false;
+    bool open_ = false;                   ///< a warning names an outline that does not close
     const TagAllocator *names_ = nullptr; ///< set with linesBound_
     double preferred_ = 0.0;              ///< tolerance
     std::vector<std::size_t> offsets_;

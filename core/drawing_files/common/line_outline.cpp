@@ -293,10 +293,8 @@ LineGaps findLineGaps(const Domain &domain, double limit) {
     const FreeEnds ends(places);
     for (std::size_t k = 0; k < places.size(); ++k) {
         if (const double gap = ends.gap(k); gap <= limit) {
-            if (gaps.count++ == 0) {
-                gaps.first = places[k];
-                gaps.segment = segments[k];
-            }
+            ++gaps.count;
+            gaps.ends.push_back({places[k], gap, segments[k]});
             gaps.widest = std::max(gaps.widest, gap);
         }
     }

@@ -4,6 +4,7 @@
 #include "core/engine/domain/domain.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace forefront {
 
@@ -25,12 +26,18 @@ LineLoops takeLinesAsOutline(Domain &domain);
 /// Ends of lines within this fraction of the diagonal of each other may be meant to meet.
 inline constexpr double kNearEnds = 0.01;
 
+/// A free end of a line that nearly meets another.
+struct NearEnd {
+    Vec2 at;
+    double gap = 0.0;        ///< distance to the nearest other end, in domain units
+    std::size_t segment = 0; ///< the segment that ends there
+};
+
 /// Free ends of lines that nearly meet. Lengths are in domain units.
 struct LineGaps {
-    std::size_t count = 0;   ///< number of ends
-    double widest = 0.0;     ///< maximum distance to the nearest other end
-    Vec2 first;              ///< the first of the ends
-    std::size_t segment = 0; ///< the segment that ends there
+    std::size_t count = 0; ///< number of ends
+    double widest = 0.0;   ///< maximum distance to the nearest other end
+    std::vector<NearEnd> ends;
 };
 
 /// Finds the free ends of lines within `limit` (domain units) of another such end.

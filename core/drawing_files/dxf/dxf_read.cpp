@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -56,6 +58,7 @@ class DxfReader {
             }
         }
         const std::vector<std::uint8_t> repeated = repeatedLoops(lines);
+        noteRepeatedLines(lines);
         for (std::size_t k = 0; k < lines.size(); ++k) {
             if (repeated[k] == 0) {
                 add(lines[k]);
@@ -76,10 +79,11 @@ class DxfReader {
   private:
     Status chooseLayers() {
         const std::optional<std::string> &wanted = source_.options.layer;
-        std::set<std::string> names;
+        std::map<std::string, std::string> names; // in lower case: as they were given
         for (std::size_t at = 0; wanted && at <= wanted->size();) {
             const std::size_t end = std::min(wanted->find(',', at), wanted->size());
-            names.insert(lowerCase(cleanName(wanted->substr(at, end - at))));
+            const std::string name = cleanName(wanted->substr(at, end - at));
+            names.emplace(lowerCase(name), name);
             at = end + 1;
         }
         for (const std::string &layer : drawn_.layers) {
@@ -96,8 +100,11 @@ class DxfReader {
             }
         }
         if (!names.empty()) {
-            return {faultAt(source_, 0, "unknown-layer", "unknown layer " + inQuotes(*names.begin()),
-                            "expected one of " + listed(drawn_.layers, 12))};
+            const auto &[lower, given] = *names.begin();
+            const std::string problem = file_.layers.contains(lower)
+                                            ? "the layer " + inQuotes(given) + " has no lines or curves to read"
+                                            : "unknown layer " + inQuotes(given);
+            return {faultAt(source_, 0, "unknown-layer", problem, "expected one of " + listed(drawn_.layers, 12))};
         }
         return {};
     }
@@ -168,6 +175,24 @@ class DxfReader {
             }
         }
         return repeated;
+    }
+
+    /// Reports open lines that repeat an earlier one, from either end; joining merges them.
+    void noteRepeatedLines(const std::vector<Polyline> &lines) const {
+        const auto before = [](Vec2 a, Vec2 b) { return comesBefore(a, b); };
+        const auto less = [&](const std::vector<Vec2> &one, const std::vector<Vec2> &other) {
+            return std::lexicographical_compare(one.begin(), one.end(), other.begin(), other.end(), before);
+        };
+        std::set<std::vector<Vec2>, decltype(less)> known(less);
+        for (const Polyline &line : lines) {
+            std::vector<Vec2> nodes = line.nodes;
+            if (!nodes.empty() && comesBefore(nodes.back(), nodes.front())) {
+                std::reverse(nodes.begin(), nodes.end());
+            }
+            if (!line.closed && !known.insert(std::move(nodes)).second) {
+                source_.note("dxf-repeated", "lines drawn twice are used once", line.path->offset);
+            }
+        }
     }
 
     void add(Polyline &line) {

@@ -133,6 +133,20 @@ std::int32_t tagNamed(const std::string &name, Domain &domain) {
     return tag;
 }
 
+/// Returns ", and joins the 3 segments that have this name" if other segments than those of a stretch have it.
+std::string joinText(const Domain &domain, std::int32_t tag, const std::vector<BoundaryWalk::Step> &way) {
+    const auto has = [&](const DomainSegment &segment) { return segment.tag == tag; };
+    const auto all = std::count_if(domain.segments.begin(), domain.segments.end(), has);
+    const auto own = std::count_if(way.begin(), way.end(),
+                                   [&](const BoundaryWalk::Step &step) { return has(domain.segments[step.segment]); });
+    const auto others = static_cast<std::size_t>(all - own);
+    return others == 0 ? std::string()
+                       : ", and joins the " +
+                             (others == 1 ? std::string("other segment that has")
+                                          : std::to_string(others) + " other segments that have") +
+                             " this name";
+}
+
 Diagnostics misplaced(const PartName &part, const std::string &why, const std::string &advice) {
     Diagnostics fault = error("part-place", "the ends of the boundary part '" + part.name + "' are " + why, advice);
     fault.front().at = part.from;
@@ -197,12 +211,13 @@ Diagnostics nameParts(std::span<const PartName> parts, Domain &domain) {
             return way.faults();
         }
         const std::int32_t tag = tagNamed(part.name, domain);
+        const std::string joins = joinText(domain, tag, *way);
         for (const BoundaryWalk::Step &step : *way) {
             domain.segments[step.segment].tag = tag;
         }
         named += (named.empty() ? "'" : "; '") + part.name + "' is named: " + countText(way->size(), "segment") + ", " +
                  numberText(walk.lengthOf(*way), 6) + " long, from " + placeText(walk.place(way->front().from)) +
-                 " to " + placeText(walk.place(way->back().to));
+                 " to " + placeText(walk.place(way->back().to)) + joins;
     }
     Diagnostics note = error("named-part", "the boundary part " + named);
     note.front().severity = Severity::Note;

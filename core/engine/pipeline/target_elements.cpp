@@ -175,7 +175,7 @@ Diagnostics missedTarget(const TargetSizes &sizes, std::uint64_t target, const M
         add("the kept segments");
     }
     if (!job.domain.curves.empty() && sizes.elements > target) {
-        add("the curve tolerance");
+        add("the curve tolerance (a larger one: --curve-tolerance)");
     }
     if (held.empty()) {
         add("the outline");

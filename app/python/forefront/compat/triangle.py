@@ -12,7 +12,8 @@ in their order.
 Differences, since this is an advancing front and not a refined Delaunay triangulation: vertices are added without q and a,
 too, so that elements are well shaped. With q, there are about as many elements as Triangle makes, and seldom more than
 1.2 times as many. Where two input segments meet at less than the least angle, the elements at their
-common vertex have smaller angles, as in Triangle; the least angle is otherwise a promise, up to 33 degrees.
+common vertex have smaller angles, as in Triangle; the least angle is otherwise a promise, up to 33 degrees. Points of
+holes and regions outside the domain are refused, not ignored.
 """
 from __future__ import annotations
 
@@ -84,9 +85,9 @@ def triangulate(tri: Dict[str, Any], opts: str = "") -> Dict[str, np.ndarray]:
     switches = _Switches(opts)
     if "vertex_attributes" in tri:
         raise ValueError("vertex_attributes: they are not carried to the mesh; leave them out and interpolate them")
-    vertices = np.asarray(tri["vertices"], dtype=float)
-    if vertices.ndim != 2 or vertices.shape[1] != 2:
-        raise ValueError("vertices: expected an array of shape (n, 2)")
+    vertices = _vertices_of(tri)
+    if switches.segments and "segments" not in tri:
+        raise ValueError("segments: the switch p needs them, an array of shape (k, 2); leave out p to mesh the convex hull")
     segments = np.asarray(tri["segments"], dtype=np.int64).reshape(-1, 2) if switches.segments else _hull(vertices)
     markers = np.asarray(tri.get("segment_markers", np.zeros(len(segments))), dtype=np.int64).ravel()
     if not switches.segments:
@@ -97,6 +98,19 @@ def triangulate(tri: Dict[str, Any], opts: str = "") -> Dict[str, np.ndarray]:
     limits = _area_limits(domain, regions, tri, switches)
     result = _meshed(domain, limits, switches)
     return _dict(result, tri, vertices, tags, regions, switches)
+
+
+def _vertices_of(tri: Dict[str, Any]) -> np.ndarray:
+    if "vertices" not in tri:
+        raise ValueError("vertices: they are missing; expected an array of shape (n, 2)")
+    vertices = np.asarray(tri["vertices"], dtype=float)
+    if vertices.ndim != 2 or vertices.shape[1] != 2:
+        raise ValueError("vertices: expected an array of shape (n, 2)")
+    infinite = np.flatnonzero(~np.isfinite(vertices).all(axis=1))
+    if len(infinite):
+        x, y = vertices[infinite[0]]
+        raise ValueError(f"vertices[{infinite[0]}]: expected finite coordinates, got ({x:g}, {y:g})")
+    return vertices
 
 
 def _hull(points: np.ndarray) -> np.ndarray:
@@ -115,6 +129,8 @@ def _hull(points: np.ndarray) -> np.ndarray:
         return hull
 
     loop = chain(order)[:-1] + chain(order[::-1])[:-1]
+    if len(loop) < 3 or len(set(loop)) < len(loop):
+        raise ValueError("vertices: without segments, expected at least three that are not on one line")
     return np.column_stack([loop, np.roll(loop, -1)])
 
 
