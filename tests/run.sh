@@ -10,7 +10,8 @@
 #   --quick      skip the sanitizers and clang-tidy; unit tests run in the optimised build
 #   --thorough   run unit tests in both builds, and the editor's tests with the sanitizers too; compile every source
 #                alone; read exported files with OpenFOAM, FEniCSx, deal.II and QGIS where they are installed, and
-#                renew their records in tests/readers; install the Debian packages into a bare root. Takes much longer
+#                renew their records in tests/readers; install the Debian packages into a bare root; build for Windows
+#                and mesh the samples under wine. Takes much longer
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
@@ -132,6 +133,7 @@ if [ $quick = no ]; then
         step 'all sources compiled alone' sh tests/alone.sh --all
         step 'build Debian packages' sh app/package.sh
         step 'packages in a bare Debian 12' sh tests/package/bare_root.sh
+        step 'program for Windows under wine' sh app/windows/build.sh
     else
         step 'changed sources compiled alone' sh tests/alone.sh --after-tidy
     fi

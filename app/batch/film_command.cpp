@@ -192,7 +192,7 @@ int filmCommand(const CommandLine &line) {
                                : "at the start and in the improvement there is no advance to show");
     }
     const unsigned long long count = plan.isPage() ? written->last : static_cast<unsigned long long>(written->frames);
-    std::printf("wrote %s: %llu %s%s\n", plan.output.c_str(), count, plan.isPage() ? "advance" : "frame",
+    std::printf("wrote %s: %llu %s%s\n", plan.output.string().c_str(), count, plan.isPage() ? "advance" : "frame",
                 count == 1 ? "" : "s");
     return kDone;
 }

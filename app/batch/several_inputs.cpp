@@ -54,7 +54,7 @@ int runEach(const std::vector<std::filesystem::path> &inputs, bool quiet, const 
     std::size_t count = 0;
     for (std::size_t k = 0; k < inputs.size() && worst != kCancelled; ++k) {
         if (inputs.size() > 1 && !quiet) {
-            std::printf("%s%s:\n", k == 0 ? "" : "\n", inputs[k].c_str());
+            std::printf("%s%s:\n", k == 0 ? "" : "\n", inputs[k].string().c_str());
             std::fflush(stdout); // before the faults on stderr
         }
         const int code = run(k);

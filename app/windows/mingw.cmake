@@ -17,5 +17,7 @@ set(CMAKE_PREFIX_PATH /)
 set(ENV{PKG_CONFIG_LIBDIR} ${libraries}/lib/pkgconfig:/usr/x86_64-w64-mingw32/lib/pkgconfig)
 set(ENV{PKG_CONFIG_PATH} "")
 
+# Joined sources have more sections than the usual objects may have.
+set(CMAKE_CXX_FLAGS_INIT "-Wa,-mbig-obj")
 # One file that runs without others beside it, with as much stack as on Linux.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--stack,8388608")

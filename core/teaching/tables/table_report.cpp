@@ -24,6 +24,11 @@ namespace {
     return text.data();
 }
 
+/// Returns a number for %llu; the compilers for Windows take %zu for a mistake.
+unsigned long long whole(std::size_t number) {
+    return number;
+}
+
 /// Formats a number for a column; blanks if there is none.
 std::string cell(int width, int digits, double value, bool given = true) {
     return given ? format(" %*.*f", width, digits, value) : std::string(static_cast<std::size_t>(width) + 1, ' ');
@@ -185,10 +190,10 @@ std::string countNotes(const std::vector<RowFigures> &rows) {
                        "  row     Ne ours   integral of 4/(sqrt(3) rho^2)    Ne of Lo    boundary nodes\n";
     for (const RowFigures &row : rows) {
         const PublishedFigures *line = publishedFigures(row.row.row, "60x40");
-        text += format("  %-4s %10zu %18.0f (%+.1f %%) %13u (%+.1f %%) %8zu\n", label(row.row).c_str(), row.elements,
-                       row.expectedElements, 100.0 * (static_cast<double>(row.elements) / row.expectedElements - 1.0),
-                       line->elements, 100.0 * (static_cast<double>(row.elements) / line->elements - 1.0),
-                       row.boundaryNodes);
+        text += format("  %-4s %10llu %18.0f (%+.1f %%) %13u (%+.1f %%) %8llu\n", label(row.row).c_str(),
+                       whole(row.elements), row.expectedElements,
+                       100.0 * (static_cast<double>(row.elements) / row.expectedElements - 1.0), line->elements,
+                       100.0 * (static_cast<double>(row.elements) / line->elements - 1.0), whole(row.boundaryNodes));
     }
     return text;
 }
@@ -205,9 +210,10 @@ std::string adaptiveNotes(const std::vector<RowFigures> &rows) {
         if (!row.adapted) {
             continue;
         }
-        text += format("  %-4s %6zu %14.4f %11.4f %11.4g of %g %13zu %14lld\n", label(row.row).c_str(),
-                       row.adapted->rounds, row.adapted->target, row.adapted->error, row.adapted->minSpacing,
-                       row.row.rhoMin, row.boundaryNodes, static_cast<long long>(publishedBoundary(row.row.row)));
+        text +=
+            format("  %-4s %6llu %14.4f %11.4f %11.4g of %g %13llu %14lld\n", label(row.row).c_str(),
+                   whole(row.adapted->rounds), row.adapted->target, row.adapted->error, row.adapted->minSpacing,
+                   row.row.rhoMin, whole(row.boundaryNodes), static_cast<long long>(publishedBoundary(row.row.row)));
     }
     if (text.empty()) {
         return text;
