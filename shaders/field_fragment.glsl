@@ -17,8 +17,11 @@ uniform float opacity;      // of the colours over the plain one
 
 out vec4 result;
 
-// Coverage by the nearest contour line: x of its bright core, y of its dark rim. `change` is that of ln ρ per pixel.
-vec2 contour(float value, float change) {
+// Coverage by the nearest contour line: x of its bright core, y of its dark rim. `slope` is the change of ln ρ per pixel.
+// Contour lines are dashed, so that they are not taken for edges of the mesh. Dashes are counted along the axis that a line
+// follows more closely, from the corner of the raster, so that they move with the drawing.
+vec2 contour(float value, vec2 slope) {
+    float change = length(slope);
     float nearest = 1e9;
     for (int i = 0; i < 8; ++i) {
         nearest = min(nearest, abs(value - levels[i]));
@@ -26,13 +29,16 @@ vec2 contour(float value, float change) {
     float pixels = change > 1e-7 ? nearest / change : 1e9; // no line where ρ is constant
     // Lines are at most a twelfth of their distance wide.
     float width = clamp(contourGap / max(12.0 * change, 1e-7), min(0.75, contourWidth), contourWidth);
-    return clamp(vec2(0.5, 1.0) * width + 0.5 - pixels, 0.0, 1.0);
+    vec2 place = pixel - rasterCorner;
+    float along = abs(slope.y) > abs(slope.x) ? place.x : place.y;
+    float dash = step(fract(along / (9.0 * contourWidth)), 0.6);
+    return dash * clamp(vec2(0.5, 1.0) * width + 0.5 - pixels, 0.0, 1.0);
 }
 
 void main() {
     float inside = texelFetch(mask, ivec2(pixel), 0).r;
     float value = texture(raster, (pixel - rasterCorner) / rasterSize).r;
-    vec2 line = contour(value, length(vec2(dFdx(value), dFdy(value))));
+    vec2 line = contour(value, vec2(dFdx(value), dFdy(value)));
     float span = range.y - range.x;
     float t = clamp((value - range.x) / (abs(span) > 1e-6 ? span : 1e-6), 0.0, 1.0);
     vec3 rgb = texelFetch(map, ivec2(int(t * 255.0 + 0.5), 0), 0).rgb;

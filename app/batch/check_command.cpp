@@ -55,7 +55,7 @@ Examples:
   forefront check bay.msh --max-valence 8 --max-growth 2 --min-across 3 --min-island-area 500
         is it fit for a model of water? At most 8 elements about a node, neighbours of similar areas, 3 elements across
         each channel, no tiny islands
-  forefront check wing.msh --max-aspect 2000 --min-scaled-jacobian 0.2
+  forefront check wing.msh --max-aspect 4 --max-layer-aspect 2000 --min-scaled-jacobian 0.2
         are its boundary layers not too thin for their length, and no corner too sharp?
   forefront check plate.msh --stats plate.json
         the verdict, the sizes of regions and boundary parts, and the quality as JSON, for scripts
@@ -222,7 +222,7 @@ void printFigures(const CheckArguments &arguments, const MeshReport &report, boo
                 valid ? "valid" : "invalid", arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
                 toHex(report.hash).c_str(), extentLine(quality.area, report.extent).c_str(), quality.alphaMean,
                 quality.alphaGeometricMean, quality.alphaMin, quality.minAngle, quality.maxAngle);
-    std::fputs(kindsLine(quality).c_str(), stdout);
+    std::fputs(kindsLine(report).c_str(), stdout);
     if (report.hasSpacing) {
         std::fputs(conformityLine(quality).c_str(), stdout);
     }

@@ -10,6 +10,7 @@
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/several_inputs.hpp"
+#include "app/reports/second_order_notes.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/note.hpp"
@@ -167,9 +168,13 @@ Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const 
                      "add --triangles, which makes all of them triangles of first order");
     }
     SecondOrderReport report;
-    return raiseOrder(mesh, {.quadNodes = arguments.quadNodes.value_or(QuadNodes::Eight)}, report, progress)
-               ? Diagnostics{}
-               : cancelled("converting");
+    if (!raiseOrder(mesh, {.quadNodes = arguments.quadNodes.value_or(QuadNodes::Eight)}, report, progress)) {
+        return cancelled("converting");
+    }
+    if (!arguments.quiet) {
+        printFaults(secondOrderNotes(report));
+    }
+    return {};
 }
 
 /// Takes the elevations of the nodes out of the values of a file, if it has some at all nodes.

@@ -13,6 +13,7 @@
 #include "core/engine/domain/curved_bounds.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/mesh_extent.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/files/json/json_writer.hpp"
 
@@ -75,6 +76,25 @@ struct FileInfo {
     LengthUnit unit = LengthUnit::None; ///< of the coordinates
 };
 
+/// Adds what sets a valid mesh of second order apart: how many nodes are corners, and how many edges are curved.
+void countSecondOrder(const MeshView &mesh, FileInfo &info) {
+    if (!mesh.hasSecondOrder()) {
+        return;
+    }
+    std::vector<bool> isCorner(mesh.nodes.size(), false);
+    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
+        for (const NodeId corner : mesh.cornersOf(e)) {
+            isCorner[index(corner)] = true;
+        }
+    }
+    const auto isCurved = [&](const TaggedEdge &edge) {
+        const auto at = [&](NodeId node) { return mesh.nodes[index(node)]; };
+        return edge.middle != kNoNode && !isMiddleOfChord(at(edge.a), at(edge.b), at(edge.middle));
+    };
+    info.counts.emplace_back("nodes at corners", std::ranges::count(isCorner, true));
+    info.counts.emplace_back("curved edges", std::ranges::count_if(mesh.edges, isCurved));
+}
+
 void describeMesh(const MeshFields &file, FileInfo &info) {
     const MeshView mesh(file.mesh);
     info.kind = "mesh";
@@ -90,6 +110,7 @@ void describeMesh(const MeshFields &file, FileInfo &info) {
         const MeshExtent extent = extentOf(mesh, edgesOf(mesh).edges.size());
         info.counts.emplace_back("parts", extent.parts);
         info.counts.emplace_back("holes", extent.holes);
+        countSecondOrder(mesh, info);
         info.area = 0.0;
         for (const RegionExtent &region : extent.regions) {
             *info.area += region.area;

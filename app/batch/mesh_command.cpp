@@ -12,6 +12,7 @@
 #include "app/batch/unit_option.hpp"
 #include "app/reports/estimate_report.hpp"
 #include "app/reports/report.hpp"
+#include "app/reports/second_order_notes.hpp"
 #include "core/drawing/commands/mesh_within_limits.hpp"
 #include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
@@ -176,8 +177,8 @@ int finish(const MeshArguments &arguments, const ReadJob &read, const MeshingOut
     if (!arguments.quiet) {
         printFaults(notes);
         printFaults(flatElements(report.quality));
-        printFaults(notConvex(report.quads));
-        printFaults(straightEdges(report.order));
+        printFaults(concavePlaces(report.quads));
+        printFaults(secondOrderNotes(report.order));
         printFaults(shortenedLayers(outcome.layers, outcome.mesh.boundaryNames));
     }
     const Status printed = printResult(arguments, report);

@@ -10,6 +10,7 @@
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/script_options.hpp"
 #include "app/reports/report.hpp"
+#include "app/reports/second_order_notes.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/project/project.hpp"
@@ -197,7 +198,7 @@ class ScriptRun {
         for (const Diagnostics &more :
              {violatedLimits(meshed_->mesh, player_.document().limits, meshed_->spacing.get()),
               largeElements(meshed_->mesh, job.domain, job.spacing.placed.regions), flatElements(report.quality),
-              notConvex(report.quads), straightEdges(report.order)}) {
+              concavePlaces(report.quads), secondOrderNotes(report.order)}) {
             remarks.insert(remarks.end(), more.begin(), more.end());
         }
         return remarks;

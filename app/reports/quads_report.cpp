@@ -2,9 +2,24 @@
 
 #include "core/engine/base/number_text.hpp"
 
+#include <array>
 #include <cstdio>
+#include <string_view>
+#include <vector>
 
 namespace forefront {
+
+namespace {
+
+void addPlaces(std::string_view name, const std::vector<Vec2> &places, JsonWriter &json) {
+    json.key(name).beginArray();
+    for (const Vec2 place : places) {
+        json.values(std::array{place.x, place.y});
+    }
+    json.endArray();
+}
+
+} // namespace
 
 void addQuads(const QuadReport &quads, JsonWriter &json) {
     json.key("quadrilaterals").beginObject();
@@ -12,7 +27,9 @@ void addQuads(const QuadReport &quads, JsonWriter &json) {
     json.member("openings", quads.openings).member("closings", quads.closings).member("searched", quads.searched);
     json.member("added_nodes", quads.addedNodes).member("odd_edges", quads.oddEdges);
     json.member("not_convex", quads.notConvex).member("changes", quads.changes);
+    addPlaces("not_convex_at", quads.notConvexAt, json);
     json.member("triangles_left", quads.triangles);
+    addPlaces("triangles_for_quads_at", quads.trianglesAt, json);
     json.member("irregular_nodes", quads.irregularNodes).member("interior_nodes", quads.innerNodes);
     json.endObject();
 }
@@ -28,7 +45,8 @@ std::string quadLines(const QuadReport &quads, bool alone) {
     lines += '\n';
     if (quads.triangles > 0 && alone) {
         lines += countText(quads.triangles, "triangle") +
-                 " left, where the edges of a face had to stay and are odd in " + "number\n";
+                 " left, where the edges of a face had to stay and are odd in number" +
+                 (quads.trianglesAt.empty() ? "" : ", or where quadrilaterals would not be convex") + '\n';
     }
     return lines;
 }

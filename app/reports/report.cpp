@@ -2,9 +2,9 @@
 
 #include "app/reports/quads_report.hpp"
 #include "core/engine/base/hash.hpp"
-#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/base/version.hpp"
+#include "core/engine/mesh/uneven_elements.hpp"
 #include "core/engine/platform/process.hpp"
 #include "core/files/json/json_writer.hpp"
 #include "core/files/rules/rules_json.hpp"
@@ -96,6 +96,7 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
     report.bounds = mesh.bounds();
     if (valid) {
         report.sharp = sharpCorners(mesh, kSharpCorner);
+        report.leastUniformity = leastJacobianUniformity(mesh);
     }
     report.hash = meshHash(mesh);
     report.hasSpacing = spacing != nullptr;
@@ -142,60 +143,41 @@ Diagnostics flatElements(const MeshQuality &quality) {
     return found;
 }
 
-Diagnostics notConvex(const QuadReport &quads) {
-    if (quads.notConvexAt.empty()) {
-        return {};
-    }
-    constexpr std::size_t kShown = 5;
-    std::string places = ": at " + placeText(quads.notConvexAt.front());
-    for (std::size_t i = 1; i < std::min(quads.notConvexAt.size(), kShown); ++i) {
-        places += ", " + placeText(quads.notConvexAt[i]);
-    }
-    Diagnostics found =
-        error("concave-element",
-              std::to_string(quads.notConvex) + (quads.notConvex == 1 ? " quadrilateral has" : " quadrilaterals have") +
-                  " a corner of 180 degrees or more, where the domain is sharp or narrow" + places +
-                  (quads.notConvex > kShown ? " and more" : ""),
-              "choose smaller elements there, or divide them with --elements mixed");
-    found.front().severity = Severity::Warning;
-    return found;
-}
-
 namespace {
 
-/// Returns a note on the straight edges with one reason; nothing if there are none.
-Diagnostics straightNote(const SecondOrderReport &order, StraightReason reason, const char *why, const char *advice) {
+/// Returns some places as a list, the first five of them.
+std::string listedPlaces(const std::vector<Vec2> &places) {
     constexpr std::size_t kShown = 5;
-    std::size_t count = 0;
-    std::string places;
-    for (const StraightEdge &edge : order.straight) {
-        if (edge.reason == reason && count++ < kShown) {
-            places += (count == 1 ? ": at " : ", ") + placeText(edge.at);
-        }
+    std::string list = placeText(places.front());
+    for (std::size_t i = 1; i < std::min(places.size(), kShown); ++i) {
+        list += ", " + placeText(places[i]);
     }
-    if (count == 0) {
-        return {};
-    }
-    return {noteOf("straight-edge",
-                   (count == 1 ? "1 edge along a curve is" : std::to_string(count) + " edges along curves are") +
-                       (" straight, " + std::string(why)) + places +
-                       (count > kShown ? " and more; --stats lists all" : ""),
-                   advice)};
+    return list + (places.size() > kShown ? " and more" : "");
 }
 
 } // namespace
 
-Diagnostics straightEdges(const SecondOrderReport &order) {
-    constexpr const char *kSmaller = "choose smaller elements there to follow the curve";
-    Diagnostics notes;
-    for (const Diagnostics &part :
-         {straightNote(order, StraightReason::Folded, "since an element would fold", kSmaller),
-          straightNote(order, StraightReason::Meeting, "to stay clear of another edge across a gap", kSmaller),
-          straightNote(order, StraightReason::Crossing, "where curves meet or come too close to follow",
-                       "keep the curves apart there")}) {
-        notes.insert(notes.end(), part.begin(), part.end());
+Diagnostics concavePlaces(const QuadReport &quads) {
+    Diagnostics found;
+    if (!quads.notConvexAt.empty()) {
+        found = error("concave-element",
+                      std::to_string(quads.notConvex) +
+                          (quads.notConvex == 1 ? " quadrilateral has" : " quadrilaterals have") +
+                          " a corner of 180 degrees or more, where the domain is sharp or narrow: at " +
+                          listedPlaces(quads.notConvexAt),
+                      "choose smaller elements there, or divide them with --elements mixed");
+        found.front().severity = Severity::Warning;
     }
-    return notes;
+    if (!quads.trianglesAt.empty()) {
+        Diagnostics note = error("triangles-for-quads",
+                                 "triangles take the place of quadrilaterals that would not be convex, where the "
+                                 "domain is sharp or narrow: at " +
+                                     listedPlaces(quads.trianglesAt),
+                                 "choose smaller elements there if only quadrilaterals may remain");
+        note.front().severity = Severity::Note;
+        found.insert(found.end(), note.begin(), note.end());
+    }
+    return found;
 }
 
 namespace {
@@ -205,11 +187,15 @@ bool onlyTriangles(const MeshQuality &quality) {
 }
 
 /// Adds the figures of meshes that hold quadrilaterals or elements of second order.
-void addKinds(const MeshQuality &quality, JsonWriter &json) {
+void addKinds(const MeshReport &report, JsonWriter &json) {
+    const MeshQuality &quality = report.quality;
     if (onlyTriangles(quality)) {
         return;
     }
     json.member("scaled_jacobian_min", quality.minScaledJacobian);
+    if (report.leastUniformity) {
+        json.member("jacobian_uniformity_min", *report.leastUniformity);
+    }
     json.key("elements_by_kind").beginObject();
     for (const CellKind kind : kElementKinds) {
         if (const std::size_t count = quality.kinds[static_cast<std::size_t>(kind)]; count > 0) {
@@ -246,7 +232,7 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
     json.member("edge_length_min", report.shortest).member("edge_length_max", report.longest);
     json.member("min_angle_deg", q.minAngle).member("max_angle_deg", q.maxAngle);
     json.member("min_angle_elsewhere_deg", report.sharp.minAngleElsewhere);
-    addKinds(q, json);
+    addKinds(report, json);
     json.key("sharp_corners").beginArray();
     for (const SharpCorner &corner : report.sharp.corners) {
         json.beginObject().member("x", corner.at.x).member("y", corner.at.y);
@@ -306,6 +292,12 @@ void addOrder(const SecondOrderReport &order, JsonWriter &json) {
     for (const StraightEdge &edge : order.straight) {
         json.beginObject().member("x", edge.at.x).member("y", edge.at.y);
         json.member("reason", wordOf(edge.reason)).endObject();
+    }
+    json.endArray();
+    json.key("uneven_elements").beginArray();
+    for (const UnevenElement &element : order.uneven) {
+        json.beginObject().member("x", element.at.x).member("y", element.at.y);
+        json.member("least_over_greatest", element.ratio).endObject();
     }
     json.endArray().endObject();
 }
@@ -401,7 +393,8 @@ std::string extentLine(double area, const MeshExtent &extent) {
     return line + (regions.size() > kShown ? " and " + std::to_string(regions.size() - kShown) + " more" : "") + '\n';
 }
 
-std::string kindsLine(const MeshQuality &quality) {
+std::string kindsLine(const MeshReport &report) {
+    const MeshQuality &quality = report.quality;
     if (onlyTriangles(quality)) {
         return {};
     }
@@ -412,9 +405,15 @@ std::string kindsLine(const MeshQuality &quality) {
                     (count == 1 ? traitsOf(kind).name : traitsOf(kind).plural);
         }
     }
-    char text[60];
-    std::snprintf(text, sizeof text, "; scaled Jacobian: minimum %.4f\n", quality.minScaledJacobian);
-    return line + text;
+    char text[120];
+    std::snprintf(text, sizeof text, "; scaled Jacobian: minimum %.4f", quality.minScaledJacobian);
+    line += text;
+    if (report.leastUniformity) {
+        std::snprintf(text, sizeof text, "; Jacobian determinant in each element: at least %.4f of its maximum",
+                      *report.leastUniformity);
+        line += text;
+    }
+    return line + '\n';
 }
 
 std::string conformityLine(const MeshQuality &quality) {
@@ -454,7 +453,7 @@ std::string summary(const RunReport &report) {
     const MeshQuality &q = report.quality;
     const double cpu = report.meshCpu();
     const std::string size = std::to_string(q.nodes) + " nodes, " + std::to_string(q.elements) + " elements, hash " +
-                             toHex(report.hash) + '\n' + extentLine(q.area, report.extent) + kindsLine(q);
+                             toHex(report.hash) + '\n' + extentLine(q.area, report.extent) + kindsLine(report);
     char text[500];
     std::snprintf(
         text, sizeof text,

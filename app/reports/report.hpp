@@ -30,6 +30,8 @@ struct MeshReport {
     std::uint64_t hash = 0;
     bool hasSpacing = false;              ///< the conformity to a spacing was measured
     double shortest = 0.0, longest = 0.0; ///< edges, between their corners
+    /// Of a valid mesh of second order: the least ratio in an element of its Jacobian determinants.
+    std::optional<double> leastUniformity{};
 };
 
 /// Statistics of a finished run.
@@ -64,18 +66,18 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// Returns a warning if elements of a mesh are flat; else nothing.
 Diagnostics flatElements(const MeshQuality &quality);
-/// Returns a warning if quadrilaterals of a mesh are not convex; else nothing.
-Diagnostics notConvex(const QuadReport &quads);
-/// Returns notes on edges along curves that are straight, with their places; nothing if there are none.
-Diagnostics straightEdges(const SecondOrderReport &order);
+/// Returns a warning on quadrilaterals that are not convex, and a note on triangles that took the place of such, with
+/// their places; nothing if there are none.
+Diagnostics concavePlaces(const QuadReport &quads);
 /// Returns the JSON object that mesh --stats writes.
 std::string statisticsJson(const RunReport &report);
 /// Returns the JSON object that check --stats writes: the verdict, then the figures of the mesh by the same names.
 std::string statisticsJson(const MeshReport &report, bool valid, const std::vector<LimitVerdict> &verdicts);
 /// Returns a line with the area, the number of parts and holes, and the areas of the regions if there are several.
 std::string extentLine(double area, const MeshExtent &extent);
-/// Returns a line with the number of elements of each kind and the scaled Jacobian; empty for triangles of 3 nodes.
-std::string kindsLine(const MeshQuality &quality);
+/// Returns a line with the number of elements of each kind, the scaled Jacobian and, for second order, how much the
+/// Jacobian determinants vary; empty for triangles of 3 nodes.
+std::string kindsLine(const MeshReport &report);
 /// Returns a line that compares the sizes of the mesh with its node spacing.
 std::string conformityLine(const MeshQuality &quality);
 /// Returns a summary of a few lines.

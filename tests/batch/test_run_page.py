@@ -10,6 +10,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -436,6 +437,48 @@ class Lessons(unittest.TestCase):
         self.assertEqual([answer["right"] for answer in pages[0]["answers"]], [False, True])
         self.assertNotIn("shown", pages[0])
         self.assertEqual((pages[2]["shown"], pages[2]["answers"]), (True, []))  # by Show me, which is no answer
+        self.assertEqual(self.window.complaints, [])
+
+    def test_texts_have_formulas_images_and_links_and_a_mesh_its_colours(self):
+        folder = pathlib.Path(FOLDER.name)
+        shutil.copytree(self.LESSONS / "drawings", folder / "drawings", dirs_exist_ok=True)
+        subprocess.run([PROGRAM, "film", DRAWINGS / "ring.json", "-o", folder / "ring.png", "--at", "9"], check=True,
+                       stdout=subprocess.DEVNULL)
+        question = {"text": "Is $x<y$?", "choices": [{"text": "$\\frac{1}{2}$", "right": True}, {"text": "a < b & c"}], "why": "[back](#1)"}
+        pages = [{"title": "One", "text": ["a $\\sqrt{x_1^2}\\le\\value{front}$ [on](#Two)", "![a ring](ring.png width=50%)"],
+                  "document": "drawings/coarse.json", "position": "end", "layers": ["mesh", "quality"], "colours": {"error": "x*x"}},
+                 {"title": "Two", "text": "t", "question": question}]
+        lesson = folder / "texts.json"
+        lesson.write_text(json.dumps({"format": "forefront-lesson", "version": 1, "title": "T", "pages": pages}))
+        subprocess.run([PROGRAM, "lesson", lesson, "-o", folder / "texts.html"], check=True, stdout=subprocess.DEVNULL)
+        self.window = browser.Browser()
+        self.addCleanup(self.window.close)
+        self.window.open(folder / "texts.html")
+        self.assertEqual(self.window.evaluate("document.querySelector('.math').getAttribute('aria-label')"), "√(x_1^2) ≤ 0")
+        self.wait("image", "document.querySelector('#text img').naturalWidth > 100")
+        size = self.window.evaluate("[document.querySelector('#text img').clientWidth, document.querySelector('#text').clientWidth]")
+        self.assertAlmostEqual(size[0] / size[1], 0.5, delta=0.02)
+        # The root covers its radicand, and the index hangs below the exponent.
+        box = ("(() => { const of = (s) => { const r = document.querySelector(s).getBoundingClientRect(); return [r.left, r.top, r.right, r.bottom]; };"
+               " return [of('.mk'), of('.mk .mp'), of('.mk .mp > :first-child'), of('.mk .mp > :last-child')]; })()")
+        root, scripts, above, below = self.window.evaluate(box)
+        self.assertTrue(root[0] <= scripts[0] and scripts[2] <= root[2] + 1 and root[1] <= scripts[1])
+        self.assertLessEqual(above[3], below[1] + 1)
+        player = "document.getElementById('player').contentDocument"
+        self.wait("colours", f"{player} && {player}.getElementById('values') && !{player}.getElementById('values').hidden")
+        self.assertEqual(self.window.evaluate(f"{player}.querySelector('#values .name').textContent"), "estimated error")
+        self.window.click("#text a")
+        self.assertEqual(self.window.text("#heading"), "Two")
+        self.assertIn("a < b & c", self.window.text("#answers button:nth-child(2)"))
+        self.window.click("#answers button:nth-child(1)")
+        self.assertEqual(self.window.text("#reply"), "back")
+        answers = self.saved()
+        self.assertEqual(answers["pages"][1]["answers"][0]["text"], "$\\frac{1}{2}$")
+        (folder / "answers.json").write_text(json.dumps(answers))
+        checked = subprocess.run([PROGRAM, "lesson", lesson, "--answers", folder / "answers.json"], capture_output=True, text=True)
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        self.window.click("#reply a")
+        self.assertEqual(self.window.text("#heading"), "One")
         self.assertEqual(self.window.complaints, [])
 
     def test_the_lesson_on_quadrilaterals_shows_its_run_and_its_tasks(self):

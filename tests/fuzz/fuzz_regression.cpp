@@ -1,15 +1,16 @@
 #include "tests/fuzz/fuzz_targets.hpp"
 
-#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <string>
+#include <string_view>
+#include <vector>
 
 using namespace forefront::fuzz;
 
 namespace {
-
-constexpr std::size_t kInputs = 4000; ///< for each target, shared by its seeds
 
 /// Applies a few random edits: flips bytes, overwrites them by characters that matter in the formats, cuts out or
 /// doubles parts.
@@ -38,37 +39,84 @@ std::string mutated(std::string text, std::mt19937 &random) {
     return text;
 }
 
-} // namespace
+/// Runs a file again. Returns the exit code.
+int repeat(const Target &target, const char *path) {
+    std::FILE *const file = std::fopen(path, "rb");
+    if (file == nullptr) {
+        std::fprintf(stderr, "no file %s\n", path);
+        return 2;
+    }
+    std::string bytes;
+    for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) {
+        bytes += static_cast<char>(c);
+    }
+    std::fclose(file);
+    target.run(bytes);
+    return 0;
+}
 
-/// Runs every target over its seeds and fixed mutations of them. A broken promise aborts. To repeat a
-/// finding: forefront_fuzz_regression TARGET FILE.
-int main(int argc, char **argv) {
-    if (argc == 3) {
-        const Target *target = find(argv[1]);
-        std::FILE *file = target != nullptr ? std::fopen(argv[2], "rb") : nullptr;
-        if (file == nullptr) {
-            std::fprintf(stderr, "no target %s or no file %s\n", argv[1], argv[2]);
+/// Keeps an input, so that one that ends the program is found in a file. Returns false if it cannot.
+bool keep(const std::string &path, const std::string &bytes) {
+    std::FILE *const file = std::fopen(path.c_str(), "wb");
+    if (file == nullptr) {
+        return false;
+    }
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    return std::fclose(file) == 0 && written;
+}
+
+/// Runs mutations of the seeds for a number of seconds. Returns the exit code.
+int runLong(const Target &target, long seconds, unsigned seed) {
+    using Clock = std::chrono::steady_clock;
+    const std::string path = std::string("fuzz_") + target.name + '_' + std::to_string(seed) + ".input";
+    const Clock::time_point end = Clock::now() + std::chrono::seconds(seconds);
+    std::mt19937 random(seed);
+    const std::vector<std::string> list = seeds(target);
+    std::size_t inputs = 0;
+    for (; Clock::now() < end; ++inputs) {
+        const std::string input = mutated(list[random() % list.size()], random);
+        if (!keep(path, input)) {
+            std::fprintf(stderr, "cannot write %s\n", path.c_str());
             return 2;
         }
-        std::string bytes;
-        for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) {
-            bytes += static_cast<char>(c);
-        }
-        std::fclose(file);
-        target->run(bytes);
-        return 0;
+        target.run(input);
     }
+    std::remove(path.c_str());
+    std::printf("%-10s %zu inputs\n", target.name, inputs);
+    return 0;
+}
+
+/// Runs every target over its seeds and fixed mutations of them.
+void runAll() {
     for (const Target &target : targets()) {
         std::mt19937 random(1);
         std::size_t inputs = 0;
         const std::vector<std::string> list = seeds(target);
         for (const std::string &seed : list) {
             target.run(seed);
-            for (std::size_t round = 0; round < kInputs / list.size(); ++round, ++inputs) {
+            for (std::size_t round = 0; round < target.inputs / list.size(); ++round, ++inputs) {
                 target.run(mutated(seed, random));
             }
         }
         std::printf("%-10s %zu inputs\n", target.name, inputs);
     }
-    return 0;
+}
+
+} // namespace
+
+/// Runs every target; a broken promise aborts. `forefront_fuzz_regression TARGET FILE` repeats a finding;
+/// `forefront_fuzz_regression TARGET SECONDS SEED` runs longer, and leaves an input that ends the program in
+/// fuzz_TARGET_SEED.input.
+int main(int argc, char **argv) {
+    if (argc < 2) {
+        runAll();
+        return 0;
+    }
+    const Target *const target = find(argv[1]);
+    if (target == nullptr || argc < 3 || argc > 4) {
+        std::fprintf(stderr, "usage: forefront_fuzz_regression [TARGET FILE | TARGET SECONDS SEED]\n");
+        return 2;
+    }
+    return argc == 3 ? repeat(*target, argv[2])
+                     : runLong(*target, std::atol(argv[2]), static_cast<unsigned>(std::atol(argv[3])));
 }

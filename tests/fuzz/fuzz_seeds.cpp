@@ -2,6 +2,7 @@
 #include "core/files/files.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/text/base64.hpp"
+#include "tests/fuzz/fuzz_runs.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
 #include "tests/support/png_sample.hpp"
 
@@ -252,8 +253,10 @@ const char *const kScript =
 )";
 
 const char *const kLesson = "{\"format\":\"forefront-lesson\",\"version\":1,\"title\":\"T\",\"about\":\"a\",\"pages\":["
-                            "{\"title\":\"P\",\"text\":[\"{front} "
-                            "b\"],\"document\":\"d.json\",\"method\":\"fast\",\"grid\":\"none\",\"improve\":\"best\","
+                            "{\"title\":\"P\",\"text\":[\"{front} $\\\\sqrt{x_1^{2}}\\\\le\\\\value{front}$ "
+                            "[b](#2)\",\"![a](b.png "
+                            "width=50%)\"],\"colours\":{\"error\":\"x*y\"},\"document\":\"d.json\",\"method\":\"fast\","
+                            "\"grid\":\"none\",\"improve\":\"best\","
                             "\"position\":{\"advance\":3,\"events\":2},"
                             "\"layers\":[\"mesh\"],\"panel\":\"steps\",\"camera\":{\"centre\":[1,2],\"size\":3},"
                             "\"highlight\":[\"a/b\"],\"question\":{\"text\":"
@@ -356,7 +359,11 @@ std::vector<std::string> seeds(const Target &target) {
         using List = std::vector<std::string>;
         const std::string_view name = target.name;
         return name == "lesson"   ? List{std::string(kLesson)}
+               : name == "math"   ? List{"\\frac{a_k^2}{\\sqrt[3]{b}}\\le\\left(\\sum_{k=1}^n\\overline{AB}\\right)",
+                                       "\\text{if }-x\\cdot\\value{n}\\,\\to\\infty"}
                : name == "script" ? List{std::string(kScript)}
+               : name == "mesh"   ? meshSeeds()
+               : name == "run"    ? projectSeeds()
                                   : List{anyBytes(1), tinyEdge()};
     }
     std::vector<std::string> list = handMade(target.name);

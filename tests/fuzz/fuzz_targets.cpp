@@ -16,12 +16,17 @@
 #include "core/files/png/png.hpp"
 #include "core/files/triangle/triangle.hpp"
 #include "core/teaching/lesson/lesson_read.hpp"
+#include "core/teaching/lesson_page/math_html.hpp"
+#include "core/teaching/lesson_page/text_html.hpp"
+#include "core/teaching/markup/marked_text.hpp"
+#include "core/teaching/markup/math.hpp"
+#include "tests/fuzz/byte_numbers.hpp"
+#include "tests/fuzz/fuzz_checks.hpp"
+#include "tests/fuzz/fuzz_runs.hpp"
 #include "tests/support/png_sample.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -30,13 +35,6 @@
 namespace forefront::fuzz {
 
 namespace {
-
-void demand(bool kept, const char *promise) {
-    if (!kept) {
-        std::fprintf(stderr, "broken promise: %s\n", promise);
-        std::abort();
-    }
-}
 
 SourceText sourceOf(std::string_view bytes) {
     return {bytes, "fuzz", {}, {}};
@@ -55,27 +53,6 @@ void checkNotes(const ImportNotes &notes) {
     for (const ImportNote &note : notes.entries()) {
         demand(note.count > 0 && note.line > 0 && note.column > 0, "a note has a count, line and column");
         demand(!note.message.empty() && !note.code.empty(), "a note has a message and a code");
-    }
-}
-
-void checkMesh(const MeshView &mesh) {
-    const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
-    demand(std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite), "coordinates are finite");
-    for (const MeshView::Block &block : mesh.blocks()) {
-        demand(block.regions.empty() || block.regions.size() == block.size(), "a region for every element");
-    }
-    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
-        const std::span<const NodeId> nodes = mesh.nodesOf(e);
-        demand(std::all_of(nodes.begin(), nodes.end(), known), "elements use nodes that exist");
-        const std::set<NodeId> different(nodes.begin(), nodes.end());
-        demand(different.size() == nodes.size(), "the nodes of an element are different");
-    }
-    for (const TaggedEdge &edge : mesh.edges) {
-        demand(known(edge.a) && known(edge.b) && (edge.middle == kNoNode || known(edge.middle)) && edge.tag >= 1,
-               "edges use nodes that exist and have a tag");
-    }
-    for (const TaggedNode &point : mesh.points) {
-        demand(known(point.node) && point.tag >= 1, "points are nodes that exist and have a tag");
     }
 }
 
@@ -205,24 +182,6 @@ void runTriangle(std::string_view bytes) {
     }
 }
 
-/// Reads numbers from bytes, 0 at the end of them.
-class ByteNumbers {
-  public:
-    explicit ByteNumbers(std::string_view bytes) : bytes_(bytes) {}
-
-    bool atEnd() const { return at_ >= bytes_.size(); }
-    unsigned byte() { return atEnd() ? 0U : static_cast<unsigned char>(bytes_[at_++]); }
-    /// Returns a multiple of 1/8 in [0, 32), sometimes off by the last digit.
-    double coordinate() {
-        const double value = 0.125 * byte();
-        return byte() % 16 == 0 ? value * (1.0 + std::numeric_limits<double>::epsilon()) : value;
-    }
-
-  private:
-    std::string_view bytes_;
-    std::size_t at_ = 0;
-};
-
 Domain domainFrom(ByteNumbers &numbers) {
     Domain domain;
     domain.insideRule = numbers.byte() % 2 == 0 ? InsideRule::EvenOdd : InsideRule::HoleMarkers;
@@ -276,6 +235,31 @@ void runRepair(std::string_view bytes) {
     checkRepair(domain, 0.25);
 }
 
+/// Returns true if as many spans of a text of HTML end as begin.
+bool balanced(std::string_view html) {
+    std::size_t open = 0, closed = 0;
+    for (std::size_t at = html.find('<'); at != std::string_view::npos; at = html.find('<', at + 1)) {
+        open += html.substr(at).starts_with("<span") ? 1U : 0U;
+        closed += html.substr(at).starts_with("</span>") ? 1U : 0U;
+    }
+    return open == closed;
+}
+
+/// Reads bytes as a formula, and sets it.
+void runMath(std::string_view bytes) {
+    const Result<MathNode> formula = parseMath(bytes);
+    if (!formula) {
+        checkFaults(formula.faults());
+        return;
+    }
+    demand(balanced(mathHtml(*formula, true)), "each element of HTML is closed");
+    std::string pieces;
+    for (const MathNode &piece : brokenMath(*formula)) {
+        pieces += mathHtml(piece, false);
+    }
+    demand(!pieces.empty() || formula->parts.empty(), "the pieces of a formula hold all of it");
+}
+
 void runLesson(std::string_view bytes) {
     const auto lesson = readLesson(sourceOf(bytes), {});
     if (!lesson) {
@@ -286,7 +270,11 @@ void runLesson(std::string_view bytes) {
     const SessionSnapshot run;
     for (const LessonPage &page : lesson->pages) {
         for (const std::string &paragraph : page.paragraphs) {
-            demand(!withValues(paragraph, {run}).empty(), "a paragraph has a text");
+            const std::string shown = withValues(paragraph, {run});
+            demand(!shown.empty(), "a paragraph has a text");
+            demand(parseMarkup(paragraph).ok(), "the markup of a paragraph has been checked");
+            demand(parseMarkup(shown).ok(), "values in a paragraph leave its markup whole");
+            demand(balanced(TextHtml(*lesson).of(shown)), "each element of HTML is closed");
         }
         if (page.question) {
             demand(!page.question->text.empty(), "a question has a text");
@@ -331,8 +319,12 @@ std::vector<Target> listTargets() {
         }
     }
     list.push_back({"lesson", nullptr, runLesson});
+    list.push_back({"math", nullptr, runMath});
     list.push_back({"script", nullptr, runScript});
     list.push_back({"repair", nullptr, runRepair});
+    constexpr std::size_t kRuns = 300; // a mesh takes longer than a file
+    list.push_back({"mesh", nullptr, runMesh, kRuns});
+    list.push_back({"run", nullptr, runProject, kRuns});
     return list;
 }
 

@@ -2,23 +2,26 @@
 
 #include "core/files/format.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace forefront::fuzz {
 
-/// Feeds bytes to the readers of one format, to those of lessons and scripts, or to the repair of domains.
+/// Feeds bytes to the readers of one format, to those of lessons and scripts, to the repair of domains, or to a run
+/// that meshes.
 struct Target {
     const char *name;
     const Format *format;                               ///< null: not a format
     void (*runOther)(std::string_view bytes) = nullptr; ///< what runs instead
+    std::size_t inputs = 4000;                          ///< of the tests, shared by its seeds
 
     /// Aborts if the result breaks a promise: faults without a place, a mesh with bad indices or numbers, a project
     /// that does not survive being written, a repair that is not complete.
     void run(std::string_view bytes) const;
 };
-/// Returns the targets in the order of the list of formats, then the lessons, the scripts and the repair.
+/// Returns the targets in the order of the list of formats, then the lessons, the scripts, the repair and the runs.
 const std::vector<Target> &targets();
 const Target *find(std::string_view name);
 

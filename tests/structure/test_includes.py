@@ -16,7 +16,7 @@ ORDERS = {
     "core/drawing/arrangement": [".", "snapping", "curves", "repeated_lines", "cover", "assembly repair"],
     "core/drawing_files": ["common", "*", "clipboard script", "."],
     "core/drawing_files/svg": ["xml", "values", "style", "drawing", "areas", "."],
-    "core/teaching": ["moment", "lesson page trace", "film lesson_page", "tables"],
+    "core/teaching": ["moment markup", "lesson page trace", "film lesson_page", "tables"],
     "ui/tools": ["common", "draw select size look", "."],
     "ui/workspace": ["document", "messages", "view", "mesh", "run", "."],
     "ui": ["input", "style background", "platform", "widgets", "canvas", "gl", "workspace", "parts", "layers tools panels dialogs", "lessons", "shell",

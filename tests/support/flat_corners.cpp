@@ -7,7 +7,7 @@
 
 namespace forefront::testing {
 
-std::optional<Vec2> unforcedFlatPlace(const MeshView &mesh, ForcingCorners forcing) {
+std::optional<Vec2> unforcedFlatPlace(const MeshView &mesh) {
     constexpr double kForcing = std::numbers::pi / 180.0;
     std::set<std::pair<NodeId, NodeId>> given;
     for (const TaggedEdge &edge : mesh.edges) {
@@ -24,9 +24,8 @@ std::optional<Vec2> unforcedFlatPlace(const MeshView &mesh, ForcingCorners forci
             if (sine < 1e-9) {
                 flat = at;
             }
-            const bool counts =
-                forcing == ForcingCorners::Any || (given.contains(std::minmax(corners[(k + 3) & 3], corners[k])) &&
-                                                   given.contains(std::minmax(corners[k], corners[(k + 1) & 3])));
+            const bool counts = given.contains(std::minmax(corners[(k + 3) & 3], corners[k])) &&
+                                given.contains(std::minmax(corners[k], corners[(k + 1) & 3]));
             forced = forced || (counts && sine < kForcing && dot(after - at, before - at) > 0.0);
         }
         if (flat && !forced) {

@@ -6,14 +6,8 @@
 
 namespace forefront::testing {
 
-/// Which corners below a degree force a flat quadrilateral.
-enum class ForcingCorners {
-    Given, ///< those of the domain: between two tagged edges
-    Any    ///< those between the tops of boundary layers, too
-};
-
 /// Returns the place of a quadrilateral with a corner of 180 degrees or more, unless one of its other corners forces
-/// it. Of curved elements, the corners count.
-std::optional<Vec2> unforcedFlatPlace(const MeshView &mesh, ForcingCorners forcing = ForcingCorners::Given);
+/// it: one below a degree between two tagged edges. Of curved elements, the corners count.
+std::optional<Vec2> unforcedFlatPlace(const MeshView &mesh);
 
 } // namespace forefront::testing

@@ -5,8 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 namespace forefront::test {
 
@@ -40,6 +42,13 @@ class Sketcher : public Draughtsman {
         settle();
     }
     bool offers(const std::string &word) { return context().actions.find("constraint." + word)->enabled(context()); }
+    /// Returns true if a message of the log contains a text.
+    bool names(std::string_view text) {
+        const auto &entries = context().log.entries();
+        return std::any_of(entries.begin(), entries.end(), [&](const MessageLog::Entry &entry) {
+            return entry.diagnostic.message.find(text) != std::string::npos;
+        });
+    }
     Vec2 at(std::uint32_t shape, std::size_t node) { return handlesOf(*findShape(document(), shape))[node]; }
     double radius(std::uint32_t shape) { return circleRadius(*findShape(document(), shape)); }
 };
@@ -173,6 +182,24 @@ TEST_CASE("Sketch: deleting a shape names the constraints that go with it") {
         named = named || entry.diagnostic.message.find("Removed 1 sketch constraint: Radius 1") == 0;
     }
     CHECK(named);
+}
+
+TEST_CASE("Sketch: what an operation removes is named once it is accepted") {
+    Sketcher driver;
+    driver.choose({{2, 0}});
+    driver.constrain("radius");
+    driver.context().selection.clear();
+    driver.context().selection.shapes.insert(2);
+    driver.settle();
+    driver.context().actions.run("shape.transform", driver.context());
+    driver.frames(3);
+    driver.fill("dialog/transform/scalex", "150");
+    if (driver.has("dialog/transform/ok")) {
+        driver.click("dialog/transform/ok");
+    }
+    driver.settle();
+    CHECK(driver.document().constraints.empty());
+    CHECK(driver.names("Removed 1 sketch constraint: Radius 1"));
 }
 
 TEST_CASE("Sketch: a dragged node takes along what its constraints hold, and the drag is one step") {

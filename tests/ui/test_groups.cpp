@@ -1,5 +1,6 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/panels/shape_tree.hpp"
 
 #include <doctest/doctest.h>
 
@@ -38,6 +39,12 @@ TEST_CASE("Groups: a click selects the group, Ctrl a shape of it, Shift adds and
     Draughtsman driver;
     drawGroup(driver);
     CHECK(driver.undoLabel() == "Group");
+    const auto said = [&] { return driver.context().log.entries().back().diagnostic.message; };
+    CHECK(said().starts_with("Grouped 2 shapes"));
+    ShapeTree tree;
+    tree.follow(driver.document(), driver.context().document.revision());
+    CHECK(rowDetail(driver.document(), tree.rows()[1]) == "group 1, boundary_1");
+    CHECK(rowDetail(driver.document(), tree.rows()[3]) == "boundary_1");
     driver.clickPlace({2, 5});
     CHECK(selected(driver) == Ids{1, 2});
     driver.context().selection.clear();

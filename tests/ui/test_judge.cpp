@@ -348,6 +348,30 @@ TEST_CASE("Checks: the fix of a broken limit says what it changes, and is one un
     CHECK_FALSE(driver.has("checks/max-length/fix"));
 }
 
+TEST_CASE("Checks: a fix whose mesh is farther beyond the limit is taken back, which is said") {
+    JudgedSquare driver;
+    driver.showPanel("checks");
+    driver.fill("checks/max-length", "0.6");
+    const LimitVerdict verdict = driver.judgement().verdicts.at(0);
+    REQUIRE(verdict.broken > 0);
+    Document next = driver.document();
+    next.spacing.segmentsPerTurn = 24.0; // changes nothing in a square
+    const auto tryWith = [&](const LimitVerdict &before) {
+        tryFix(driver.context(), before, {"segments per turn auto \xe2\x86\x92 24", next});
+        CHECK(driver.document().spacing.segmentsPerTurn == 24.0);
+        driver.key(key::kF5);
+        driver.settle();
+    };
+    LimitVerdict better = verdict;
+    better.worst = 0.601; // as if the mesh before had been that good
+    tryWith(better);
+    CHECK_FALSE(driver.document().spacing.segmentsPerTurn.has_value());
+    const std::string said = driver.context().log.entries().back().diagnostic.message;
+    CHECK(said.starts_with("Took back segments per turn auto \xe2\x86\x92 24: the maximum edge length became "));
+    tryWith(verdict);
+    CHECK(driver.document().spacing.segmentsPerTurn == 24.0); // no farther than it was
+}
+
 TEST_CASE("Judge: setting a limit neither makes the mesh out of date nor meshes again") {
     JudgedSquare driver;
     const std::uint64_t made = driver.run().run;

@@ -1,5 +1,6 @@
 #include "core/teaching/lesson/lesson_run.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "tests/ui/own_lesson.hpp"
 #include "ui/dialogs/tab_commands.hpp"
 #include "ui/lessons/kept_answers.hpp"
 #include "ui/lessons/lesson_list.hpp"
@@ -317,13 +318,7 @@ TEST_CASE("Lessons: a candidate of another run is no wrong answer") {
 TEST_CASE("Lessons: opening the file of a lesson again keeps the answers, or asks if the file has changed") {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path / "mine.json";
-    const auto write = [&](const std::string &text) {
-        std::ofstream(file)
-            << R"({"format": "forefront-lesson", "version": 1, "title": "Mine", "pages": [
-            {"title": "A", "text": ")"
-            << text << R"(", "question": {"text": "q", "choices": [{"text": "a", "right": true}, {"text": "b"}]}}]})";
-    };
-    write("first");
+    writeOwnLesson(file, "first");
     Draughtsman driver;
     driver.rectangle({1, 1}, {4, 3});
     const auto open = [&] {
@@ -350,7 +345,7 @@ TEST_CASE("Lessons: opening the file of a lesson again keeps the answers, or ask
         driver.settle();
     }
     CHECK(answers() == 1);
-    write("second");
+    writeOwnLesson(file, "second");
     open();
     REQUIRE(driver.has("dialog/answers/cancel"));
     CHECK(answers() == 1);

@@ -1,5 +1,6 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/driver.hpp"
+#include "tests/ui/own_lesson.hpp"
 #include "ui/lessons/kept_answers.hpp"
 #include "ui/lessons/lesson_list.hpp"
 #include "ui/lessons/lesson_player.hpp"
@@ -18,6 +19,8 @@
 namespace forefront::test {
 
 namespace {
+
+using testing::TemporaryFolder;
 
 /// A learner whose answers are kept in a folder.
 class Keeper : public Driver {
@@ -158,13 +161,7 @@ TEST_CASE("Lessons: kept answers that cannot be read are set aside with a warnin
 TEST_CASE("Lessons: answers to another version of a lesson are not dropped without asking") {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path / "mine.json";
-    const auto write = [&](const std::string &text) {
-        std::ofstream(file)
-            << R"({"format": "forefront-lesson", "version": 1, "title": "Mine", "pages": [
-            {"title": "A", "text": ")"
-            << text << R"(", "question": {"text": "q", "choices": [{"text": "a", "right": true}, {"text": "b"}]}}]})";
-    };
-    write("first");
+    writeOwnLesson(file, "first");
     {
         Keeper keeper(folder.path);
         REQUIRE(openLessonFile(keeper.context(), file).empty());
@@ -173,7 +170,7 @@ TEST_CASE("Lessons: answers to another version of a lesson are not dropped witho
         keeper.settle();
         REQUIRE(keeper.has("lesson/right"));
     }
-    write("second");
+    writeOwnLesson(file, "second");
     Keeper keeper(folder.path);
     REQUIRE(openLessonFile(keeper.context(), file).empty());
     keeper.settle();
@@ -181,10 +178,46 @@ TEST_CASE("Lessons: answers to another version of a lesson are not dropped witho
     keeper.click("dialog/answers/cancel");
     keeper.settle();
     CHECK_FALSE(keeper.context().lessons.open);
-    write("first");
+    writeOwnLesson(file, "first");
     REQUIRE(openLessonFile(keeper.context(), file).empty());
     keeper.settle();
     CHECK(keeper.has("lesson/right"));
+}
+
+TEST_CASE("Lessons: of two windows that answer one lesson, the file holds the answers of both") {
+    const TemporaryFolder folder;
+    Keeper one(folder.path), two(folder.path);
+    one.open("10-dynamic-grid", 4);
+    two.open("10-dynamic-grid", 1);
+    one.answer("232");
+    two.key(key::k0 + 2, kAlt); // does not know the answer of the other window
+    two.settle();
+    one.answer("129");
+    REQUIRE(one.has("lesson/right"));
+
+    Keeper again(folder.path);
+    again.open("10-dynamic-grid", 4);
+    const LearnerAnswers *const kept = knownAnswers(again.context(), "10-dynamic-grid");
+    REQUIRE(kept != nullptr);
+    REQUIRE(kept->given.pages[0].answers.size() == 1);
+    REQUIRE(kept->given.pages[3].answers.size() == 2); // each once
+    CHECK(kept->given.pages[3].answers[0].text == "232");
+    CHECK(kept->given.pages[3].answers[1].text == "129");
+
+    // Answers to other numbers are no answers to these: they are set aside.
+    one.click("lesson/numbers");
+    one.settle();
+    one.click("dialog/answers/forget");
+    one.settle();
+    one.answer("1");
+    two.turnTo(4);
+    two.answer("129");
+    CHECK(std::filesystem::exists(folder.path / "answers" / "10-dynamic-grid.json.old"));
+    bool warned = false;
+    for (const MessageLog::Entry &entry : two.context().log.entries()) {
+        warned = warned || entry.diagnostic.message.find("another window has answered") != std::string::npos;
+    }
+    CHECK(warned);
 }
 
 TEST_CASE("Lessons: a task done by Show me counts as shown, in the list and in the file") {
@@ -311,6 +344,8 @@ TEST_CASE("Lessons: the panels that a page is about have room at 1280 by 800, an
     keeper.settle();
     CHECK(keeper.context().widgets.find("panel/rules")->rect.y == heading.y); // stays where it is while stepping
     keeper.open("10-dynamic-grid", 5); // what was opened there does not take its room
+    CHECK(isInSight("steps/5"));
+    keeper.turnTo(6);
     CHECK(isInSight("steps/5"));
     CHECK(isInSight("statistics/cells"));
     keeper.open("9-adaptive", 7);

@@ -2,6 +2,7 @@
 #include "tests/ui/colour_vision.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "tests/ui/shot.hpp"
+#include "tests/ui/widget_rects.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/style/theme.hpp"
@@ -14,17 +15,6 @@
 namespace forefront::test {
 
 namespace {
-
-PixelRect rectOf(Driver &driver, const std::string &widget) {
-    const WidgetRegistry::Widget *const found = driver.context().widgets.find(widget);
-    REQUIRE_MESSAGE(found != nullptr, widget);
-    return found->rect;
-}
-
-bool within(const PixelRect &inner, const PixelRect &outer) {
-    return inner.x >= outer.x && inner.y >= outer.y && inner.x + inner.width <= outer.x + outer.width &&
-           inner.y + inner.height <= outer.y + outer.height;
-}
 
 /// The relative luminance of a colour of a picture, from 0 to 1.
 double luminanceAt(const Driver::Picture &picture, int x, int y) {

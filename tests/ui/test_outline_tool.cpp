@@ -58,6 +58,8 @@ TEST_CASE("Trace by colour: a click and Enter make a lake with its island, in on
     CHECK(driver.areaOfShape(1) == doctest::Approx(kPi * kIsleRadius * kIsleRadius).epsilon(0.015));
     CHECK(driver.document().shapes[0]->nodes.size() <= 8);
     CHECK(driver.document().shapes[0]->use == ShapeUse::Boundary);
+    CHECK(driver.document().shapes[0]->tag == 1);
+    CHECK(driver.document().shapes[1]->tag == 2); // holes apart, as the bar says
     CHECK(driver.context().selection.shapes.size() == 2);
     CHECK(driver.undoLabel() == "Trace by colour");
     driver.key('2');

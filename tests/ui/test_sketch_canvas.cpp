@@ -1,5 +1,6 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/constraint_glyphs.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace forefront::test {
@@ -41,6 +43,12 @@ class CanvasSketcher : public Draughtsman {
     Pixel middle(const std::string &widget) {
         const PixelRect rect = context().widgets.find(widget)->rect;
         return {rect.x + 0.5 * rect.width, rect.y + 0.5 * rect.height};
+    }
+    bool labelHas(std::string_view text) {
+        const auto &labels = editor().canvas().labels();
+        return std::any_of(labels.begin(), labels.end(), [&](const CanvasPainter::Placed &label) {
+            return label.text.find(text) != std::string::npos;
+        });
     }
     Vec2 at(std::size_t node) { return document().shapes[0]->nodes[node]; }
 };
@@ -139,6 +147,45 @@ TEST_CASE("Sketch on the canvas: a dragged value stays where it was put, in one 
     driver.key('Z', {Modifiers::kControl});
     driver.settle();
     CHECK(driver.context().document.current()->constraints == before->constraints);
+}
+
+TEST_CASE("Sketch on the canvas: a free node that is dragged snaps exactly to a node") {
+    CanvasSketcher driver;
+    Shape line;
+    line.form = formOf(ShapeKind::Polyline);
+    line.use = ShapeUse::Constraint;
+    line.nodes = {{8, 8}, {9, 8.5}};
+    driver.context().applyCommand(addShapes(driver.document(), {line}), "Add");
+    driver.context().selection.nodes = {{1, 2}};
+    driver.settle();
+    driver.press(driver.pixel(driver.at(2)));
+    driver.moveToPlace({7, 7});
+    driver.moveToPlace({8, 8});
+    driver.frames(2);
+    driver.release(driver.pixel({8, 8}));
+    driver.settle();
+    CHECK(driver.at(2) == Vec2{8, 8});
+    CHECK(driver.at(1).x == doctest::Approx(8.0));
+}
+
+TEST_CASE("Sketch on the canvas: a determined node stays, and its typed place is refused, with what holds it") {
+    CanvasSketcher driver;
+    driver.add(ConstraintKind::Fixed, {{1, SketchPartKind::Node, 0}});
+    driver.context().selection.nodes = {{1, 1}};
+    driver.settle();
+    const Vec2 from = driver.at(1);
+    driver.press(driver.pixel(from));
+    driver.moveToPlace(from + Vec2{0.5, 0.5});
+    driver.moveToPlace(from + Vec2{1.0, 1.5});
+    driver.frames(2);
+    CHECK(driver.labelHas("held by Length 1 and Fixed 1"));
+    driver.release(driver.pixel(from + Vec2{1.0, 1.5}));
+    driver.settle();
+    CHECK(distance(driver.at(1), from) < 1e-9);
+    driver.fill("inspector/at/x", "9");
+    CHECK(distance(driver.at(1), from) < 1e-9);
+    CHECK(driver.logHas("constraint-conflict"));
+    driver.key(key::kEscape);
 }
 
 TEST_CASE("Sketch on the canvas: the status bar and the legend say what is free") {

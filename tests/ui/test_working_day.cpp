@@ -433,4 +433,36 @@ TEST_CASE("Record script: what is drawn, sized, undone, meshed and exported is r
     CHECK(meshHash(repeated->mesh) == hash);
 }
 
+TEST_CASE("Record script: exported meshes and saved projects are in it, by paths from its folder") {
+    const TemporaryFolder place, other;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    CHECK_FALSE(driver.has("status/recording"));
+    driver.context().actions.run("file.recordScript", driver.context());
+    driver.settle();
+    driver.chooseFile("recordscript", place / "day.jsonl");
+    CHECK(driver.has("status/recording"));
+    driver.key(key::kF5);
+    driver.settle();
+    for (const std::filesystem::path &file : {place / "day.msh", place / "day.inp", other / "day.su2"}) {
+        openDialog(driver, "file.export", "export");
+        driver.chooseFile("export", file);
+        REQUIRE(std::filesystem::exists(file));
+    }
+    openDialog(driver, "file.saveAs", "save");
+    driver.chooseFile("save", place / "day.forefront");
+    driver.settle();
+    driver.click("status/recording"); // stops
+    driver.settle();
+    CHECK_FALSE(driver.has("status/recording"));
+
+    std::ifstream file(place / "day.jsonl");
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    INFO(text);
+    CHECK(text.find("\"export\", \"file\": \"day.msh\"") != std::string::npos);
+    CHECK(text.find("\"export\", \"file\": \"day.inp\"") != std::string::npos);
+    CHECK(text.find("\"export\", \"file\": \"" + (other / "day.su2").string()) != std::string::npos);
+    CHECK(text.find("\"save\", \"file\": \"day.forefront\"") != std::string::npos);
+}
+
 } // namespace forefront::test

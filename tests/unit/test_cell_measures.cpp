@@ -6,6 +6,8 @@
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/sharp_corners.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
+#include "tests/support/domain_builder.hpp"
+#include "tests/support/meshed_job.hpp"
 #include "tests/unit/block_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -15,6 +17,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 using namespace forefront;
 using samples::node;
@@ -243,6 +247,40 @@ TEST_CASE("Cell measures: limits name quadrilaterals and the scaled Jacobian") {
     CHECK(toString(checkLimits(maker.mesh, thin, nullptr)[0]) ==
           "maximum aspect ratio 3: violated by 1 of 1 elements, worst 4 at (2, 0.5)");
     CHECK(limitFault(MeshLimit::MinScaledJacobian, 1.5) == "expected a number from 0 to 1, got 1.5");
+}
+
+TEST_CASE("Cell measures: the aspect ratio of boundary layers has a limit of its own") {
+    MeshingJob job;
+    job.domain = forefront::testing::squareDomain(1.0);
+    job.spacing.size = 0.1;
+    MeshLimits limits;
+    limits[MeshLimit::MaxAspect] = 3.0;
+    const Mesh isotropic = forefront::testing::meshedJob(job).mesh;
+    limits[MeshLimit::MaxLayerAspect] = 60.0;
+    CHECK(toString(checkLimits(isotropic, limits, nullptr)[1]) ==
+          "maximum layer aspect 60: met: there are no boundary layers");
+    for (const LayerCells cells : {LayerCells::Quads, LayerCells::Triangles}) {
+        for (const Elements elements : {Elements::Triangles, Elements::Quads}) {
+            job.options.elements = elements;
+            job.layers = {LayerSpec{.tag = 1, .first = 0.002, .count = 8, .cells = cells}};
+            const MeshingOutcome outcome = forefront::testing::meshedJob(job);
+            limits[MeshLimit::MaxLayerAspect] = std::nullopt;
+            CHECK_FALSE(checkLimits(outcome.mesh, limits, nullptr)[0].met());
+            limits[MeshLimit::MaxLayerAspect] = 100.0;
+            std::vector<LimitVerdict> verdicts = checkLimits(outcome.mesh, limits, nullptr);
+            REQUIRE(verdicts.size() == 2);
+            CHECK(verdicts[0].met());
+            CHECK(verdicts[1].met());
+            CHECK(verdicts[0].judged + verdicts[1].judged == outcome.mesh.elementCount());
+            const std::size_t made = outcome.layers.quadrilaterals + outcome.layers.triangles;
+            CHECK(verdicts[1].judged <= made);
+            CHECK(10 * verdicts[1].judged >= 8 * made); // others have the height of isotropic ones
+            limits[MeshLimit::MaxLayerAspect] = 10.0;
+            verdicts = checkLimits(outcome.mesh, limits, nullptr);
+            CHECK(verdicts[0].met());
+            CHECK_FALSE(verdicts[1].met());
+        }
+    }
 }
 
 TEST_CASE("Cell measures: sharp corners are found between quadrilaterals") {

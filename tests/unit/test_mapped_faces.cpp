@@ -181,6 +181,32 @@ TEST_CASE("Mapped faces: random quadrangles and bent ones") {
     CHECK(refused < 20);
 }
 
+TEST_CASE("Mapped faces: a side may turn inwards, but a corner of quadrilaterals may not") {
+    MeshingJob job;
+    addLoop(job.domain, {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}});
+    job.options.verify = true;
+    for (const double size : {0.5, 0.25, 0.1}) {
+        job.spacing.size = size;
+        for (const Elements elements : {Elements::Quads, Elements::Triangles}) {
+            job.options.elements = elements;
+            job.mapped = {{1, {{0, 0}, {4, 0}, {4, 2}, {0, 4}}}}; // the node (2, 2) is inside a side
+            CHECK(refusalOf(job).empty());
+            job.mapped = {{1, {{0, 0}, {4, 2}, {2, 4}, {0, 4}}}};
+            CHECK(refusalOf(job).empty());
+        }
+    }
+    job.options.elements = Elements::Quads;
+    job.mapped = {{1, {{0, 0}, {4, 0}, {2, 2}, {0, 4}}}};
+    const Result<MeshingOutcome> refused = meshDomain(job);
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.faults().front().code == "mapped-corners");
+    CHECK(refused.faults().front().at == Vec2{2, 2});
+    CHECK(refused.faults().front().message.find("270 degrees") != std::string::npos);
+    job.spacing.size = 0.25;
+    job.options.elements = Elements::Triangles; // two of them share the corner
+    CHECK(refusalOf(job).empty());
+}
+
 TEST_CASE("Mapped faces: what cannot be mapped is refused with its place") {
     MeshingJob job = bar();
     job.mapped = {{2}};

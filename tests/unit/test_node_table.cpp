@@ -107,7 +107,8 @@ TEST_CASE("Table of nodes: a line that cannot be used is named, and then none is
     CHECK(faultsOf("0\t0\n4\tfour\n1\n") == "1: expected a number, got 'four'\n2: expected 2 columns, got 1\n");
     CHECK(faultsOf("0\t0\n4\t1e999\n1\t1\n") == "1: expected a number, got '1e999'\n");
     CHECK(faultsOf("shape\tnode\tx\ty\n9\t1\t0\t0\n1\t4\t0\t0\n1\t0\t1\t1\n") ==
-          "3: expected the number of a node, got '0'\n");
+          "1: shape 9 not found\n2: node 4 not found; polygon 1 has 3 nodes\n"
+          "3: expected the number of a node, got '0'\n"); // all at once
     CHECK(faultsOf("shape\tnode\tx\ty\n9\t1\t0\t0\n1\t4\t0\t0\n2\t1\t1\t1\n2\t1\t2\t2") ==
           "1: shape 9 not found\n2: node 4 not found; polygon 1 has 3 nodes\n"
           "4: node 1 of circle 2 is also in line 4\n");

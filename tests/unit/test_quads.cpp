@@ -52,12 +52,12 @@ Domain polygon(const std::vector<Vec2> &nodes) {
     return domain;
 }
 
-/// Returns the codes of errors and warnings of a mesh against its domain, without those of shapes.
-std::set<std::string> faultsOf(const Mesh &mesh, const Domain &domain, bool shapes) {
-    const std::set<std::string> ofShapes = {"concave-element", "flat-element", "inverted-element", "zero-area"};
+/// Returns the codes of errors and warnings of a mesh against its domain. `hostile`: a domain so narrow or so far away
+/// that elements may be flat within rounding.
+std::set<std::string> faultsOf(const Mesh &mesh, const Domain &domain, bool hostile = false) {
     std::set<std::string> codes;
     for (const Diagnostic &fault : verifyAgainst(mesh, domain)) {
-        if (fault.severity != Severity::Note && (shapes || ofShapes.count(fault.code) == 0)) {
+        if (fault.severity != Severity::Note && !(hostile && fault.code == "flat-element")) {
             codes.insert(fault.code);
         }
     }
@@ -102,13 +102,13 @@ TEST_CASE("quads: a square of even sides is a lattice of squares") {
     CHECK(outcome.quads.irregularNodes == 0);
     CHECK(outcome.quads.triangles == 0);
     CHECK(leastScaledJacobian(outcome.mesh) > 0.999);
-    CHECK(faultsOf(outcome.mesh, polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), true).empty());
+    CHECK(faultsOf(outcome.mesh, polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})).empty());
 }
 
 TEST_CASE("quads: a disc has quadrilaterals alone, few irregular nodes, and no poor shape") {
     const Domain domain = polygon(circle(178, 1.0));
     const MeshingOutcome outcome = meshedJob(quadJob(domain, "0.0353"));
-    CHECK(faultsOf(outcome.mesh, domain, true).empty());
+    CHECK(faultsOf(outcome.mesh, domain).empty());
     CHECK(outcome.quads.triangles == 0);
     CHECK(outcome.quads.notConvex == 0);
     CHECK(outcome.quads.irregularShare() < 0.06);
@@ -162,7 +162,7 @@ TEST_CASE("quads: an odd boundary gets one more node, a kept one keeps one trian
     CHECK(kept.boundary->segments.size() == 31);
     CHECK(kept.quads.oddEdges == 1);
     CHECK(kept.quads.triangles == 1);
-    CHECK(faultsOf(kept.mesh, domain, false).empty());
+    CHECK(faultsOf(kept.mesh, domain).empty());
 }
 
 TEST_CASE("quads: a line with a given number of elements keeps it") {
@@ -190,8 +190,14 @@ TEST_CASE("colourBoundary: every edge joins two colours, with at most one new no
 
 namespace {
 
-/// Meshes random domains and checks that they are closed, follow their boundaries and have no flat quadrilateral
-/// unless a given corner forces it. Every `gridsEvery`-th is meshed with all grids and several threads.
+/// The random domains with corners so sharp, or channels so narrow, that triangles take the place of quadrilaterals
+/// that would not be convex.
+const std::set<std::uint64_t> kTrianglesInTips = {34,   364,  424,  524,  544,  804,  826,  844,  924,
+                                                  1124, 1134, 1164, 1234, 1246, 1304, 1364, 1504, 1626,
+                                                  1684, 1744, 1856, 1987, 2084, 2104, 2154};
+
+/// Meshes random domains and checks that they are closed, follow their boundaries, and that no element is flat beyond
+/// rounding, reflex at a corner or clockwise. Every `gridsEvery`-th is meshed with all grids and several threads.
 void checkRandomQuads(std::uint64_t from, std::uint64_t to, std::uint64_t gridsEvery) {
     for (std::uint64_t seed = from; seed < to; seed += kSeedStep) {
         CAPTURE(seed);
@@ -200,13 +206,12 @@ void checkRandomQuads(std::uint64_t from, std::uint64_t to, std::uint64_t gridsE
         job.options.elements = seed % 7 == 3 ? Elements::Mixed : Elements::Quads;
         job.options.keepBoundary = seed % 5 == 0;
         const MeshingOutcome outcome = meshedJob(job);
-        CHECK(faultsOf(outcome.mesh, job.domain, false) == std::set<std::string>{});
+        CHECK(faultsOf(outcome.mesh, job.domain, true) == std::set<std::string>{});
         if (job.options.elements == Elements::Quads && !job.options.keepBoundary) {
-            CHECK(outcome.quads.triangles == 0);
             CHECK(outcome.quads.oddEdges == 0);
-            // A channel with walls of 1.7e-6 at 1e7, some hundred roundings: all four nodes are given.
-            constexpr std::uint64_t kNarrowFarAway = 1856;
-            CHECK(unforcedFlatPlace(outcome.mesh).has_value() == (seed == kNarrowFarAway));
+            CHECK((outcome.quads.triangles > 0) == kTrianglesInTips.contains(seed));
+            CHECK(outcome.quads.trianglesAt.empty() == (outcome.quads.triangles == 0));
+            CHECK_FALSE(unforcedFlatPlace(outcome.mesh));
         }
         if (seed % gridsEvery == 1 % gridsEvery) {
             job.options.threads = 3;

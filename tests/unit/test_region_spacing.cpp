@@ -1,5 +1,6 @@
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/mesh/large_elements.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/parts/regions/region_part.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
@@ -127,6 +128,45 @@ TEST_CASE(
     }
     CHECK(above > 0); // so that the warnings are tested
     CHECK(500 * above <= elements);
+}
+
+TEST_CASE("Region area: quadrilaterals respect the maximum, too, where a region has them") {
+    const auto largest = [](const MeshingJob &job) {
+        const auto outcome = meshDomain(job);
+        REQUIRE(outcome.ok());
+        std::map<std::int32_t, double> areas;
+        const MeshView view(outcome->mesh);
+        forEachCell(view, [&](const PlacedCell &cell, std::size_t e) {
+            double &area = areas[view.region(e)];
+            area = std::max(area, 0.5 * twiceArea(cell));
+        });
+        return areas;
+    };
+    for (const double area : {0.01, 0.001}) {
+        MeshingJob job{twoSquares(), areas(area, area), {}};
+        job.spacing.size = 0.5;
+        job.options.elements = Elements::Quads;
+        for (const auto &[tag, most] : largest(job)) {
+            CHECK(most <= kExcess * area);
+            CHECK(most >= 0.45 * area); // not much finer than necessary
+        }
+        job.regionElements = {{2, Elements::Triangles}};
+        for (const auto &[tag, most] : largest(job)) {
+            CHECK(most <= kExcess * area);
+        }
+        job.options.elements = Elements::Triangles;
+        job.regionElements = {{1, Elements::Quads}};
+        for (const auto &[tag, most] : largest(job)) {
+            CHECK(most <= kExcess * area);
+        }
+    }
+    const Domain domain = twoSquares();
+    const std::vector<RegionSize> regions = areas(0.01, 0.01).placed.regions;
+    const auto part = RegionPart::build(regions, LazyFaces(domain, {}, placesOf(regions)), 0.0, {false, {2}});
+    REQUIRE(part);
+    CHECK(part->at({0.5, 0.5}) == spacingForArea(0.01));
+    CHECK(part->at({1.5, 0.5}) == spacingForArea(0.01, true));
+    CHECK(spacingForArea(0.01, true) < 0.1);
 }
 
 TEST_CASE("Region area: elements that a minimum size keeps above it are warned of, with the place of the largest") {

@@ -169,3 +169,19 @@ TEST_CASE("fixOf: a broken limit has a command that says what it changes, until 
     bounded.spacing.maximum = 1.0;
     CHECK_FALSE(fixed(bounded, MeshLimit::MinLength, 1.0, 0.5)); // a minimum above the maximum
 }
+
+TEST_CASE("makesWorse: a worst place far beyond the one before counts more than fewer violations") {
+    const auto angle = [](std::size_t broken, double worst) {
+        return LimitVerdict{
+            .limit = MeshLimit::MinAngle, .bound = 33.0, .judged = 100, .broken = broken, .worst = worst, .places = {}};
+    };
+    CHECK(makesWorse(angle(30, 28.2), angle(12, 0.16)));
+    CHECK_FALSE(makesWorse(angle(30, 28.2), angle(12, 28.2)));
+    CHECK_FALSE(makesWorse(angle(30, 28.2), angle(12, 27.0))); // hardly worse, but fewer
+    CHECK_FALSE(makesWorse(angle(30, 28.2), angle(0, 33.5)));
+    const LimitVerdict growth{
+        .limit = MeshLimit::MaxGrowth, .bound = 2.0, .judged = 100, .broken = 3, .worst = 2.6, .places = {}};
+    LimitVerdict farther = growth;
+    farther.worst = 2.9;
+    CHECK(makesWorse(growth, farther));
+}

@@ -219,6 +219,9 @@ TEST_CASE("raiseOrder: corners move only if they may, and boundaries and lines s
     REQUIRE(raiseOrder(mesh, {}, report));
     CHECK(report.movedCorners == 0);
     CHECK(mesh.nodes[4] == given.nodes[4]);
+    REQUIRE(report.uneven.size() == 3);
+    CHECK(report.uneven[0].element == 0); // not convex
+    CHECK(report.uneven[0].ratio == doctest::Approx(-0.7));
     std::vector<bool> movable(given.nodes.size(), true);
     mesh = given;
     REQUIRE(raiseOrder(mesh, {.movable = &movable}, report));
@@ -227,6 +230,7 @@ TEST_CASE("raiseOrder: corners move only if they may, and boundaries and lines s
         CHECK((mesh.nodes[n] == given.nodes[n]) == (n != 4));
     }
     CHECK(leastUniformity(mesh) >= kSoughtUniformity - 1e-4);
+    CHECK(report.uneven.empty());
     mesh = given;
     mesh.points.push_back({NodeId{4}, 1});
     REQUIRE(raiseOrder(mesh, {.movable = &movable}, report));

@@ -293,6 +293,15 @@ PixelRect CanvasPainter::label(Vec2 at, Pixel offset, std::string_view text, Col
     return rect;
 }
 
+void CanvasPainter::fixedLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate,
+                               ImFont *font) {
+    drawLabel(labelRect(at, offset, text, font), text, colour, plate, font, true);
+}
+
+Pixel CanvasPainter::offsetOf(Vec2 at, const PixelRect &label) const {
+    return (Pixel(label.x, label.y) - camera_.toPixel(at)) / scale_ + Pixel(kLabelPadX, kLabelPadY);
+}
+
 std::vector<Pixel> offsetsBeside(Pixel size, Pixel offset) {
     const double mirrored = -offset.x - size.x + 2.0 * kLabelPadX;
     std::vector<Pixel> offsets;

@@ -63,6 +63,10 @@ class CanvasPainter {
     /// Draws text on a rounded plate, `offset` design pixels from the place. Where that would cover another label or a
     /// reserved area, or the edge of the room, it lies on another side of the place. Returns its rectangle in pixels.
     PixelRect label(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
+    /// Draws a label at an offset, whatever it covers.
+    void fixedLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
+    /// Returns the offset of a label with a rectangle, in design pixels: the inverse of labelRect().
+    Pixel offsetOf(Vec2 at, const PixelRect &label) const;
     /// Returns the rectangle of a label at an offset, in pixels.
     PixelRect labelRect(Vec2 at, Pixel offset, std::string_view text, ImFont *font) const;
     /// Draws a label where it covers no other label, no reserved area or line and no edge: at `offset`, otherwise on

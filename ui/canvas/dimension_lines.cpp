@@ -22,7 +22,7 @@ class DimensionDrawer {
                     const DimensionStyle &style)
         : painter_(painter), figure_(figure), text_(text), style_(style), size_(painter.labelSize(text, style.font)) {}
 
-    bool draw(std::optional<Vec2> label) {
+    std::optional<Pixel> draw(std::optional<Vec2> label) {
         const Box2 visible = painter_.camera().visible();
         Box2 box = boxOf(figure_.from, figure_.to);
         if (label) {
@@ -30,11 +30,13 @@ class DimensionDrawer {
         }
         const bool small = pixels(distance(figure_.from, figure_.to)) < kLeastMeasured;
         if (!box.overlaps(visible) || (small && !style_.chosen && !label)) {
-            return false;
+            return std::nullopt;
         }
-        const std::optional<Pixel> offset = label ? placed(figure_.placeOf(*label)) : found();
+        const std::optional<Pixel> offset = style_.kept ? style_.kept
+                                            : label     ? placed(figure_.placeOf(*label))
+                                                        : found();
         if (!offset) {
-            return false;
+            return std::nullopt;
         }
         const Vec2 place = placeAt(*offset);
         switch (figure_.form) {
@@ -48,8 +50,12 @@ class DimensionDrawer {
             drawAngular(place);
             break;
         }
-        painter_.label(base(), *offset, text_, style_.colour, style_.plate, style_.font);
-        return true;
+        if (style_.kept) {
+            painter_.fixedLabel(base(), *offset, text_, style_.colour, style_.plate, style_.font);
+            return offset;
+        }
+        return painter_.offsetOf(base(),
+                                 painter_.label(base(), *offset, text_, style_.colour, style_.plate, style_.font));
     }
 
   private:
@@ -182,8 +188,8 @@ class DimensionDrawer {
 
 } // namespace
 
-bool drawDimension(CanvasPainter &painter, const DimensionFigure &figure, std::optional<Vec2> label,
-                   const std::string &text, const DimensionStyle &style) {
+std::optional<Pixel> drawDimension(CanvasPainter &painter, const DimensionFigure &figure, std::optional<Vec2> label,
+                                   const std::string &text, const DimensionStyle &style) {
     return DimensionDrawer(painter, figure, text, style).draw(label);
 }
 

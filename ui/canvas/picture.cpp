@@ -1,6 +1,7 @@
 #include "ui/canvas/picture.hpp"
 
 #include "core/engine/platform/file_handle.hpp"
+#include "core/files/png/png.hpp"
 #include "core/files/png/png_decoder.hpp"
 #include "core/files/png/png_pixels.hpp"
 
@@ -149,7 +150,19 @@ void halve(Picture &picture) {
     picture.rgba = std::move(half);
 }
 
-/// Decodes the pixels of a PNG file into a picture of its size.
+/// Decodes the pixels of a PNG file into a picture of its size. Returns false for a damaged one; `decoder` has the
+/// fault.
+bool decodePng(PngDecoder &decoder, Picture &picture) {
+    std::optional<std::vector<std::uint8_t>> colours = decoder.open() ? coloursOf(decoder) : std::nullopt;
+    if (!colours) {
+        return false;
+    }
+    picture.columns = static_cast<int>(decoder.columns());
+    picture.rows = static_cast<int>(decoder.rows());
+    picture.rgba = std::move(*colours);
+    return true;
+}
+
 Diagnostics readPng(std::FILE *file, Picture &picture) {
     std::string bytes;
     std::array<char, 65536> block{};
@@ -157,27 +170,26 @@ Diagnostics readPng(std::FILE *file, Picture &picture) {
         bytes.append(block.data(), count);
     }
     PngDecoder decoder(bytes);
-    std::optional<std::vector<std::uint8_t>> colours = decoder.open() ? coloursOf(decoder) : std::nullopt;
-    if (!colours) {
-        return damaged(picture.file, decoder.fault());
+    return decodePng(decoder, picture) ? Diagnostics() : damaged(picture.file, decoder.fault());
+}
+
+using JpegPixels = std::unique_ptr<stbi_uc, void (*)(void *)>;
+
+/// Takes the decoded pixels of a JPEG file into a picture of that size. Returns false if there are none.
+bool takeJpeg(const JpegPixels &pixels, Picture &picture) {
+    if (!pixels) {
+        return false;
     }
-    picture.columns = static_cast<int>(decoder.columns());
-    picture.rows = static_cast<int>(decoder.rows());
-    picture.rgba = std::move(*colours);
-    return {};
+    const std::size_t count = static_cast<std::size_t>(picture.columns) * static_cast<std::size_t>(picture.rows);
+    picture.rgba.assign(pixels.get(), pixels.get() + 4 * count);
+    return true;
 }
 
 /// Decodes the pixels of a JPEG file into a picture of its size.
 Diagnostics readJpeg(std::FILE *file, Picture &picture) {
     int channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void *)> pixels(
-        stbi_load_from_file(file, &picture.columns, &picture.rows, &channels, 4), stbi_image_free);
-    if (!pixels) {
-        return damaged(picture.file, stbi_failure_reason());
-    }
-    const std::size_t count = static_cast<std::size_t>(picture.columns) * static_cast<std::size_t>(picture.rows);
-    picture.rgba.assign(pixels.get(), pixels.get() + 4 * count);
-    return {};
+    const JpegPixels pixels(stbi_load_from_file(file, &picture.columns, &picture.rows, &channels, 4), stbi_image_free);
+    return takeJpeg(pixels, picture) ? Diagnostics() : damaged(picture.file, stbi_failure_reason());
 }
 
 } // namespace
@@ -218,6 +230,28 @@ Result<std::shared_ptr<const Picture>> readPicture(const std::filesystem::path &
     } catch (const std::bad_alloc &) {
         return fault(path, "large-picture", "not enough memory for picture " + nameOf(path),
                      "make it smaller in another program");
+    }
+}
+
+std::shared_ptr<const Picture> decodePicture(std::string_view bytes) {
+    Picture picture;
+    try {
+        bool done = false;
+        if (looksLikePng(bytes)) {
+            PngDecoder decoder(bytes);
+            done = decodePng(decoder, picture);
+        } else {
+            int channels = 0;
+            const auto *const data = reinterpret_cast<const stbi_uc *>(bytes.data());
+            const JpegPixels pixels(stbi_load_from_memory(data, static_cast<int>(bytes.size()), &picture.columns,
+                                                          &picture.rows, &channels, 4),
+                                    stbi_image_free);
+            done = takeJpeg(pixels, picture);
+        }
+        picture.size = {picture.columns, picture.rows};
+        return done ? std::make_shared<const Picture>(std::move(picture)) : nullptr;
+    } catch (const std::bad_alloc &) {
+        return nullptr;
     }
 }
 

@@ -31,5 +31,7 @@ bool isPictureName(const std::filesystem::path &file);
 Result<PixelSize> readPictureSize(const std::filesystem::path &file);
 /// Reads a PNG or JPEG file. Faults as for readPictureSize(). May be called on any thread.
 Result<std::shared_ptr<const Picture>> readPicture(const std::filesystem::path &file);
+/// Decodes the bytes of a PNG or JPEG file; null if they are damaged or memory is short. May be called on any thread.
+std::shared_ptr<const Picture> decodePicture(std::string_view bytes);
 
 } // namespace forefront

@@ -220,15 +220,13 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
         const Status written = writeMesh(file, exported, format, progress, options);
         return hasErrors(written) ? written : exportNotes(file, exported, format, options);
     };
-    const auto exported = std::make_shared<MeshExport>(MeshExport{mesh, file, filter.id, innerEdges});
+    const auto exported = std::make_shared<const MeshExport>(MeshExport{mesh, file, filter.id, innerEdges});
     const auto done = [exported, file, format = filter.id, elements = elementsInWords(mesh->view())](Shell &c) {
-        exported->written = true;
+        c.written = exported;
         c.log.announce("Exported mesh to " + file.string() + ": " + elements + ", " +
                        fileSizeText(bytesOf(file, format)));
     };
-    auto dialog = std::make_unique<WriteDialog>(context.background, file.string(), job, done);
-    dialog->describe(exported);
-    context.dialogs.open(std::move(dialog));
+    context.dialogs.open(std::make_unique<WriteDialog>(context.background, file.string(), job, done));
     return {};
 }
 

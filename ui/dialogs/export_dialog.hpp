@@ -22,7 +22,6 @@ struct MeshExport {
     std::filesystem::path file;
     std::string format; ///< id
     InnerEdges innerEdges = InnerEdges::Keep;
-    bool written = false; ///< the file is there
 };
 
 /// Writes a mesh on a separate thread and shows the progress. Cancel stops it and leaves no file.
@@ -35,10 +34,6 @@ class WriteDialog final : public Dialog {
     const char *id() const override { return "writing"; }
     std::string title() const override { return "Writing"; }
     bool closesOnEscape() const override { return false; }
-    /// Names the export that the dialog writes, for whoever follows exports.
-    void describe(std::shared_ptr<const MeshExport> exported) { exported_ = std::move(exported); }
-    /// Returns the export that the dialog writes; null if it writes something else.
-    const std::shared_ptr<const MeshExport> &exported() const { return exported_; }
     bool draw(Shell &context) override;
 
   private:
@@ -51,7 +46,6 @@ class WriteDialog final : public Dialog {
 
     std::string file_;
     std::function<void(Shell &)> done_;
-    std::shared_ptr<const MeshExport> exported_;
     bool cancelled_ = false;
     Latest<Write, Written> worker_;
 };

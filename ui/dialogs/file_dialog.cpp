@@ -442,7 +442,7 @@ bool FileDialog::drawBottom(Shell &context) {
     ImGui::SameLine(0, context.px(kButtonGap));
     const bool ready = allowed && !request_.name.empty() && !reading_;
     wanted = ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, ready, okWidth / context.scale) ||
-             wanted || (entered_ && !replace_);
+             wanted || entered_;
     if (cancelled && reading_) {
         cancelReading(context);
         return true;

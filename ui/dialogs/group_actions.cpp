@@ -1,9 +1,11 @@
 #include "ui/dialogs/group_actions.hpp"
 
 #include "core/drawing/shapes/groups.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "ui/parts/shell.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace forefront {
 
@@ -12,11 +14,16 @@ namespace {
 void group(Shell &context) {
     if (context.applyCommand(groupShapes(*context.document.current(), context.selection.shapes), "Group")) {
         completeGroups(*context.document.current(), context.selection);
+        context.log.announce("Grouped " + countText(context.selection.shapes.size(), "shape") +
+                             ": a click selects all of them, with Ctrl one");
     }
 }
 
 void ungroup(Shell &context) {
-    context.applyCommand(ungroupShapes(*context.document.current(), context.selection.shapes), "Ungroup");
+    const std::size_t shapes = context.selection.shapes.size();
+    if (context.applyCommand(ungroupShapes(*context.document.current(), context.selection.shapes), "Ungroup")) {
+        context.log.announce("Ungrouped " + countText(shapes, "shape"));
+    }
 }
 
 bool hasGroup(const Shell &context) {

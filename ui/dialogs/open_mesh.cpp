@@ -58,6 +58,7 @@ void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path 
     context.view.isolatedBin.reset();
     context.view.measureRange.reset();
     context.view.field.clear();
+    context.view.formula = {};
     context.view.fitPending = true;
     const std::string elements = elementsInWords(opened.mesh.view->view());
     context.run.showFile(opened.mesh);

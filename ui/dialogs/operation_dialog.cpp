@@ -4,6 +4,7 @@
 #include "ui/widgets/fault_text.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/announce_changes.hpp"
 #include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
@@ -86,6 +87,8 @@ void OperationDialog::accept(Shell &context) {
         context.selection = made_;
     }
     context.selection.prune(*context.document.current());
+    announceLosses(context, *start_);
+    announceChangedDimensions(context, *start_);
 }
 
 void OperationDialog::drawField(Shell &context, std::size_t index) {

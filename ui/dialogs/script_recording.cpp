@@ -1,6 +1,7 @@
 #include "ui/dialogs/script_recording.hpp"
 
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/files/files.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "ui/dialogs/export_dialog.hpp"
 #include "ui/dialogs/file_commands.hpp"
@@ -44,7 +45,7 @@ Status writeScript(const std::filesystem::path &file, const ScriptRecorder &reco
 } // namespace
 
 Diagnostics ScriptRecording::start(Shell &context, const std::filesystem::path &file) {
-    std::error_code failed; // exports are recorded with full paths, and so work from any folder
+    std::error_code failed;
     const std::filesystem::path whole = std::filesystem::absolute(file, failed);
     ScriptRecorder recorder(context.document.current());
     if (Status faults = writeScript(failed ? file : whole, recorder); !faults.empty()) {
@@ -55,7 +56,7 @@ Diagnostics ScriptRecording::start(Shell &context, const std::filesystem::path &
     loads_ = context.document.loads();
     fileUses_ = context.document.fileUses();
     last_ = context.document.current();
-    exporting_.reset();
+    context.written.reset();
     noted_ = nullptr;
     saved_ = recorder_->commands();
     context.log.announce("Recording a script to " + file_.filename().string() + "; File > Stop recording ends it");
@@ -80,10 +81,14 @@ void ScriptRecording::stop(Shell &context) {
 }
 
 void ScriptRecording::follow(Shell &context) {
+    const std::shared_ptr<const MeshExport> written = std::exchange(context.written, nullptr);
+    context.recordedScript = active() ? file_.filename().string() : std::string();
     if (!active()) {
         return;
     }
-    followExport(context);
+    if (written) {
+        record(context, *written);
+    }
     followOthers(context);
     if (!ImGui::IsAnyMouseDown()) { // a drag is recorded as one step
         followDocument(context);
@@ -106,19 +111,20 @@ void ScriptRecording::followDocument(Shell &context) {
     last_ = now;
     if (store.fileUses() != fileUses_) {
         fileUses_ = store.fileUses();
-        recorder_->recordSave(store.path());
+        recorder_->recordSave(inScript(store.path()));
     }
 }
 
-/// The dialog that writes a mesh is open for a frame at least.
-void ScriptRecording::followExport(Shell &context) {
-    if (const auto *const writing = dynamic_cast<const WriteDialog *>(context.dialogs.top())) {
-        exporting_ = writing->exported();
+/// Returns the path of a file as the script has it: relative to its folder if the file lies there or below, so that a
+/// copy of the folder works alone; else the full path.
+std::filesystem::path ScriptRecording::inScript(const std::filesystem::path &file) const {
+    std::error_code failed;
+    const std::filesystem::path whole = std::filesystem::absolute(file, failed).lexically_normal();
+    if (failed) {
+        return file;
     }
-    if (exporting_ && exporting_->written) {
-        record(context, *exporting_);
-        exporting_.reset();
-    }
+    const std::filesystem::path relative = whole.lexically_relative(file_.parent_path().lexically_normal());
+    return relative.empty() || *relative.begin() == ".." ? whole : relative;
 }
 
 void ScriptRecording::record(Shell &context, const MeshExport &exported) {
@@ -126,14 +132,12 @@ void ScriptRecording::record(Shell &context, const MeshExport &exported) {
     const auto refuse = [&](const char *reason) {
         context.log.refuse("the export of " + exported.file.filename().string() + " is not in the script: " + reason);
     };
-    if (exported.innerEdges == InnerEdges::Drop) {
+    if (exported.innerEdges == InnerEdges::Drop && acceptsInnerEdges(exported.file, exported.format)) {
         refuse("scripts write meshes with their tagged edges inside the domain");
     } else if (recordableMesh(context) != exported.mesh) {
         refuse("its mesh is not that of the drawing as it is now");
     } else {
-        std::error_code failed;
-        const std::filesystem::path whole = std::filesystem::absolute(exported.file, failed);
-        recorder_->recordExport(failed ? exported.file : whole, exported.format, meshHash(exported.mesh->view()));
+        recorder_->recordExport(inScript(exported.file), exported.format, meshHash(exported.mesh->view()));
     }
 }
 

@@ -30,19 +30,18 @@ class ScriptRecording {
 
   private:
     void followDocument(Shell &context);
-    void followExport(Shell &context);
     void followOthers(Shell &context);
     void record(Shell &context, const MeshExport &exported);
+    std::filesystem::path inScript(const std::filesystem::path &file) const;
     void save(Shell &context);
 
     std::optional<ScriptRecorder> recorder_;
     std::filesystem::path file_;
-    std::uint64_t loads_ = 0;                     ///< see DocumentStore::loads()
-    std::uint64_t fileUses_ = 0;                  ///< see DocumentStore::fileUses()
-    std::shared_ptr<const Document> last_;        ///< recorded last
-    std::shared_ptr<const MeshExport> exporting_; ///< the export under way; null: none
-    const void *noted_ = nullptr;                 ///< the dialog that was said to be left out
-    std::size_t saved_ = 0;                       ///< commands in the file
+    std::uint64_t loads_ = 0;              ///< see DocumentStore::loads()
+    std::uint64_t fileUses_ = 0;           ///< see DocumentStore::fileUses()
+    std::shared_ptr<const Document> last_; ///< recorded last
+    const void *noted_ = nullptr;          ///< the dialog that was said to be left out
+    std::size_t saved_ = 0;                ///< commands in the file
 };
 
 /// Registers the end of the File menu: the recording of a script, and Quit.

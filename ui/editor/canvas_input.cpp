@@ -11,6 +11,8 @@
 #include <imgui_internal.h>
 
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace forefront {
@@ -181,6 +183,11 @@ void CanvasInput::fieldKey(const InputEvent &event, Shell &context) {
     if ((undo && typing.canUndo) || (redo && typing.canRedo) || clipboard) {
         return;
     }
+    if ((undo || redo) && context.dimensionEntry.constraint) { // which is about its text, never about the drawing
+        context.dimensionEntry.restore = undo;
+        context.widgets.fields.leave(undo ? FieldFocus::Leave::Shortcut : FieldFocus::Leave::No);
+        return;
+    }
     if (context.actions.knows(shortcut) && !event.repeated) {
         context.widgets.fields.leave(FieldFocus::Leave::Shortcut);
         waiting_ = shortcut;
@@ -224,7 +231,7 @@ void CanvasInput::runWaiting(Shell &context) {
     // Nothing follows a text that was refused: the user is still in its field.
     const bool stays = context.widgets.fields.travelling();
     if (const std::optional<Shortcut> shortcut = std::exchange(waiting_, std::nullopt); shortcut && !stays) {
-        context.actions.runShortcut(*shortcut, false, context);
+        runShortcut(*shortcut, false, context);
         context.animate();
     }
     if (const std::optional<InputEvent> press = std::exchange(waitingPress_, std::nullopt);
@@ -305,7 +312,23 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
         if (modifiers_.none() && !event.repeated) {
             countKeyUse(context, event.code);
         }
-        context.actions.runShortcut({event.code, modifiers_}, event.repeated, context);
+        runShortcut({event.code, modifiers_}, event.repeated, context);
+    }
+}
+
+/// Runs the action with a shortcut, or says what it needs.
+void CanvasInput::runShortcut(Shortcut shortcut, bool repeated, Shell &context) {
+    if (context.actions.runShortcut(shortcut, repeated, context) || repeated) {
+        return;
+    }
+    if (const Action *const action = context.actions.waiting(shortcut, context)) {
+        constexpr std::string_view kEllipsis = "\xe2\x80\xa6";
+        std::string title = action->title;
+        if (title.ends_with(kEllipsis)) {
+            title.resize(title.size() - kEllipsis.size());
+        }
+        context.log.inform(title + ": " + action->needs);
+        context.animate();
     }
 }
 

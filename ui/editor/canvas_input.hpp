@@ -29,6 +29,7 @@ class CanvasInput {
         bool operator==(const Scene &) const = default;
     };
     void runWaiting(Shell &context);
+    static void runShortcut(Shortcut shortcut, bool repeated, Shell &context);
     void showTool(Shell &context);
     void move(const InputEvent &event, Shell &context);
     void button(const InputEvent &event, Shell &context);

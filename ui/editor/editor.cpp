@@ -2,6 +2,7 @@
 
 #include "core/drawing_files/documents.hpp"
 #include "core/files/files.hpp"
+#include "ui/dialogs/action_needs.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/editor/apply_settings.hpp"
@@ -114,6 +115,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     addEditActions(c.actions);
     addFileMenuEnd(c.actions, parts_->recording);
     shell::addShellActions(c.actions);
+    addActionNeeds(c.actions);
     applySettings(c);
     c.tools.current().activate(c);
     c.plates.start = parts_->options.startPage;

@@ -97,6 +97,7 @@ void Editor::Parts::takeResults(bool cancels) {
     context.judge.submit(request);
     const bool judged = context.judge.refresh();
     context.judgement = context.judge.now();
+    followFix(context);
     context.probe.follow(context.judgement->of.mesh ? context.judgement->of.mesh->version : 0);
     bool previewed = false;
     if (drewNews || previewDue()) {

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,6 +52,7 @@ class SketchLayer final : public Layer {
             return;
         }
         drawColours(painter, frame);
+        keepPlaces(frame);
         const std::size_t before = painter.labels().size();
         drawDimensions(painter, frame);
         drawGlyphs(painter, frame);
@@ -94,6 +96,24 @@ class SketchLayer final : public Layer {
         }
     }
 
+    /// Forgets where glyphs and values lie once the drawing or the view has changed. Until then they stay, so that a
+    /// selection, a message or the first click of a double-click moves none of them.
+    void keepPlaces(const LayerFrame &frame) {
+        const Camera &camera = frame.camera;
+        const SketchView view{frame.revision, camera.toPixel({0, 0}), camera.zoom, camera.viewport.width,
+                              camera.viewport.height};
+        if (view != view_) {
+            view_ = view;
+            places_.clear();
+        }
+    }
+
+    /// Returns where the k-th glyph of a constraint, or its value, has been drawn.
+    std::optional<Pixel> placeOf(const Item &item, std::size_t k) const {
+        const auto place = places_.find({item.constraint->id, k});
+        return place != places_.end() ? std::optional(place->second) : std::nullopt;
+    }
+
     static bool isSelected(const LayerFrame &frame, const Item &item) {
         return frame.selection.constraints.contains(item.constraint->id);
     }
@@ -107,7 +127,7 @@ class SketchLayer final : public Layer {
         if (state != nullptr && state->redundant.contains(item.constraint->id)) {
             return {frame.theme.warn, icon::kWarning};
         }
-        return {frame.theme.text, ""};
+        return {frame.blamed.contains(item.constraint->id) ? frame.theme.bad : frame.theme.text, ""};
     }
 
     void drawDimensions(CanvasPainter &painter, const LayerFrame &frame) {
@@ -117,8 +137,11 @@ class SketchLayer final : public Layer {
             }
             const auto [colour, mark] = stateOf(frame, item);
             const DimensionStyle style{isSelected(frame, item) ? frame.theme.selection : colour,
-                                       labelPlate(frame.theme), frame.fonts.small, isSelected(frame, item)};
-            if (drawDimension(painter, *item.figure, item.constraint->label, mark + item.text, style)) {
+                                       labelPlate(frame.theme), frame.fonts.small, isSelected(frame, item),
+                                       placeOf(item, 0)};
+            if (const std::optional<Pixel> place =
+                    drawDimension(painter, *item.figure, item.constraint->label, mark + item.text, style)) {
+                places_.insert_or_assign({item.constraint->id, 0}, *place);
                 painter.nameLabel(nameOf(item.constraint->id, 0));
             }
         }
@@ -135,11 +158,17 @@ class SketchLayer final : public Layer {
                 if (!visible.contains(anchor.at)) {
                     continue;
                 }
-                const Pixel size = painter.labelSize(text, frame.fonts.small);
-                const std::vector<Pixel> offsets = glyphOffsets(anchor, size, kGlyphGap);
-                if (painter.freeLabel(anchor.at, offsets, text,
-                                      isSelected(frame, item) ? frame.theme.selection : colour, labelPlate(frame.theme),
-                                      frame.fonts.small)) {
+                std::optional<Pixel> place = placeOf(item, k);
+                if (!place) {
+                    const Pixel size = painter.labelSize(text, frame.fonts.small);
+                    place =
+                        painter.freeOffset(anchor.at, glyphOffsets(anchor, size, kGlyphGap), text, frame.fonts.small);
+                }
+                if (place) {
+                    places_.insert_or_assign({item.constraint->id, k}, *place);
+                    painter.fixedLabel(anchor.at, *place, text,
+                                       isSelected(frame, item) ? frame.theme.selection : colour,
+                                       labelPlate(frame.theme), frame.fonts.small);
                     painter.nameLabel(nameOf(item.constraint->id, k));
                     ++drawn;
                 }
@@ -166,6 +195,12 @@ class SketchLayer final : public Layer {
                 for (const SketchPart &part : item.constraint->parts) {
                     drawPart(painter, frame, part, frame.theme.selection, 4.0, false);
                 }
+            }
+            if (pointed) { // messages call it by this name
+                constexpr Pixel kBeside{16.0, 14.0};
+                painter.label(*frame.pointer, kBeside, item.constraint->name, frame.theme.text, frame.theme.popup,
+                              frame.fonts.small);
+                painter.nameLabel("canvas/constraint");
             }
         }
     }
@@ -255,7 +290,17 @@ class SketchLayer final : public Layer {
         }
     }
 
+    /// What the places of glyphs and values depend on, apart from what they are to stay for.
+    struct SketchView {
+        std::uint64_t revision = 0;
+        Pixel origin{};
+        double zoom = 0.0, width = 0.0, height = 0.0;
+        friend bool operator==(const SketchView &, const SketchView &) = default;
+    };
+
     std::vector<Item> items_; ///< of the document with revision_
+    SketchView view_;
+    std::map<std::pair<std::uint32_t, std::size_t>, Pixel> places_; ///< offsets by constraint and number, for view_
     std::uint64_t revision_ = 0;
     std::vector<Curve> curves_; ///< determined segments, of colouredState_ and the document with colouredRevision_
     std::vector<Vec2> dots_;    ///< determined nodes

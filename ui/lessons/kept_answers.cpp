@@ -42,6 +42,34 @@ void setAside(Shell &context, const std::filesystem::path &file, Diagnostics fau
     context.log.add(std::move(faults));
 }
 
+Result<LessonAnswers> answersOf(const std::filesystem::path &file, std::string_view text) {
+    SourceText source;
+    source.name = file.string();
+    source.text = text;
+    return readAnswers(source);
+}
+
+/// Adds the answers that another window has written to the file since this one did. Those to other numbers or another
+/// version of the lesson are set aside.
+void addOthers(Shell &context, const std::filesystem::path &file, LearnerAnswers &answers) {
+    std::error_code none;
+    if (!std::filesystem::exists(file, none)) {
+        return;
+    }
+    const Result<std::string> text = readRegularFile(file, kMaxAnswers);
+    if (!text || *text == answers.keptText) {
+        return; // writing tells why
+    }
+    Result<LessonAnswers> others = answersOf(file, *text);
+    if (!others) {
+        setAside(context, file, others.faults());
+    } else if (!mergeAnswers(answers.given, answers.kept, *others)) {
+        setAside(
+            context, file,
+            error("other-answers", "another window has answered the lesson with other numbers or in another version"));
+    }
+}
+
 } // namespace
 
 const LearnerAnswers *knownAnswers(const Shell &context, const std::string &id) {
@@ -57,15 +85,12 @@ const LearnerAnswers *answersTo(Shell &context, const std::string &id) {
         return knownAnswers(context, id);
     }
     const Result<std::string> text = readRegularFile(file, kMaxAnswers);
-    SourceText source;
-    source.name = file.string();
-    source.text = text ? std::string_view(*text) : std::string_view();
-    Result<LessonAnswers> read = text ? readAnswers(source) : Result<LessonAnswers>(text.faults());
+    Result<LessonAnswers> read = text ? answersOf(file, *text) : Result<LessonAnswers>(text.faults());
     if (!read) {
         setAside(context, file, read.faults());
         return knownAnswers(context, id);
     }
-    context.lessons.answers.try_emplace(id, LearnerAnswers{*std::move(read), false});
+    context.lessons.answers.try_emplace(id, LearnerAnswers{*read, false, *read, *text});
     return knownAnswers(context, id);
 }
 
@@ -94,7 +119,14 @@ void keepAnswers(Shell &context, const std::string &id) {
     const std::filesystem::path file = fileOf(context, id);
     Status status = notRegular(file);
     if (status.empty()) {
-        status = writeFileAtomically(file, answersText(known->given));
+        LearnerAnswers &answers = context.lessons.answers.at(id);
+        addOthers(context, file, answers);
+        std::string text = answersText(answers.given);
+        status = writeFileAtomically(file, text);
+        if (status.empty()) {
+            answers.kept = answers.given;
+            answers.keptText = std::move(text);
+        }
     }
     context.log.add(status);
 }

@@ -10,7 +10,7 @@ namespace forefront {
 struct Shell;
 
 // Answers outlive the program: those to each lesson are in a file of the folder LessonRoom::folder, written after each
-// answer. Of two windows that answer one lesson at once, it holds the answers of the one that answered last.
+// answer. If two windows answer one lesson at once, it holds the answers of both.
 
 /// Returns the answers to a lesson, read at the first call; null: there are none. A damaged file is logged and set
 /// aside.
@@ -21,7 +21,7 @@ const LearnerAnswers *knownAnswers(const Shell &context, const std::string &id);
 AnswerCount countKnown(const Shell &context, const std::string &id);
 /// Returns the answers to a lesson to add some, which keepAnswers() writes then.
 LearnerAnswers &openAnswers(Shell &context, const LessonEntry &entry);
-/// Writes the answers to a lesson to its file. A failure is logged.
+/// Writes the answers to a lesson to its file, with those that another window has written there. A failure is logged.
 void keepAnswers(Shell &context, const std::string &id);
 /// Forgets the answers to a lesson, with their file.
 void dropAnswers(Shell &context, const std::string &id);

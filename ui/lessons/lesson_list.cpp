@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kMaxDrawing = std::size_t{64} << 20; ///< bytes
 
-/// Returns a text that differs between versions of a lesson: of its file, or of the files of its drawings.
+/// Returns a text that differs between versions of a lesson: of its file, or of the files of its drawings and images.
 std::string editionOf(const LessonFile &file) {
     std::set<std::string> drawings;
     for (const LessonPage &page : file.lesson.pages) {
@@ -37,6 +37,10 @@ std::string editionOf(const LessonFile &file) {
         const Result<std::string> bytes = readRegularFile(file.path.parent_path() / drawing, kMaxDrawing);
         hash.add(drawing);
         hash.add(bytes ? *bytes : std::string());
+    }
+    for (const auto &[name, picture] : file.lesson.pictures) {
+        hash.add(name);
+        hash.add(picture->bytes);
     }
     return toHex(hash.value());
 }

@@ -142,7 +142,11 @@ void showCamera(Shell &context, const LessonCamera &camera) {
     context.view.following = camera.follow;
 }
 
-void showColours(Shell &context, const std::optional<LessonRange> &range) {
+void showColours(Shell &context, const std::optional<LessonRange> &range, const LessonColours &colours) {
+    chooseFormula(context, colours);
+    if (colours.any()) {
+        return; // their range fits the mesh
+    }
     if (range) {
         chooseMeasure(context, Measure::ShapeFactor);
         context.view.measureRange = ColourRange{range->from, range->to};
@@ -202,7 +206,7 @@ void showPage(Shell &context) {
     }
     callPanels(context, page);
     showCamera(context, page.camera);
-    showColours(context, page.range);
+    showColours(context, page.range, page.colours);
     rememberProgress(context);
     context.animate();
 }
@@ -245,6 +249,10 @@ void openHere(Shell &context, const LessonEntry &entry) {
             dropAnswers(c, entry.id);
         }
         addToList(c.lessons.list, entry);
+        for (Diagnostic fault : pictureFaults(*entry.lesson, entry.file.string(), false)) {
+            fault.severity = Severity::Warning; // the page shows the words of the image
+            c.log.add(std::move(fault));
+        }
         c.lessons.last = entry.id;
         c.lessons.drawingLoaded = showsLessonDrawing(c) ? c.lessons.drawingLoaded : 0; // another tab may have that
         c.tools.choose("select", c);

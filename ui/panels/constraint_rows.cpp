@@ -65,7 +65,8 @@ bool drawConstraint(Shell &context, const SketchConstraint &constraint) {
 
 std::size_t ConstraintRows::degrees(const Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
-    if (measured_ != document && !ImGui::IsAnyMouseDown()) {
+    const bool sameSketch = measured_ && measured_->constraints == document->constraints; // as during a drag
+    if (measured_ != document && !(sameSketch && ImGui::IsAnyMouseDown())) {
         measured_ = document;
         degrees_ = sketchState(*document).degrees;
     }

@@ -12,6 +12,7 @@
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/number_field.hpp"
+#include "ui/workspace/typed_command.hpp"
 
 #include <imgui.h>
 
@@ -38,7 +39,7 @@ form::PairAddress pairAddress(const Shape &shape, Quantity first, Quantity secon
 
 void drawRectangle(Shell &context, const Shape &shape) {
     const auto put = [&](const Shape &next, const char *label) {
-        applyJoined(context, replaceShape(*context.document.current(), next), label);
+        applyTyped(context, replaceShape(*context.document.current(), next), label);
     };
     Shape next = shape;
     const Box2 box = boundsOf(shape);
@@ -88,7 +89,7 @@ void diameterField(Shell &context, const Shape &circle) {
         if (next) {
             next = setFormula(*std::move(next), address, formula.empty() ? formula : '(' + formula + ")/2");
         }
-        context.applyCommand(std::move(next), "Resize circle");
+        applyTyped(context, next, "Resize circle", false);
     }
     ui::tooltip(context, "Diameter");
 }
@@ -98,12 +99,12 @@ void drawCircle(Shell &context, const Shape &shape) {
     Vec2 centre = shape.nodes[0];
     double radius = circleRadius(shape);
     if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
-        context.applyCommand(setHandle(document, {shape.id, 0}, centre), "Move circle");
+        applyTyped(context, setHandle(document, {shape.id, 0}, centre), "Move circle", false);
     }
     form::label(context, "Radius, \xe2\x88\x85");
     if (ui::inputNumber(context, "inspector/radius", radius, form::halfWidth(context),
                         addressOf(shape, Quantity::Radius))) {
-        context.applyCommand(setRadius(document, shape.id, radius), "Resize circle");
+        applyTyped(context, setRadius(document, shape.id, radius), "Resize circle", false);
     }
     diameterField(context, shape);
 }
@@ -111,8 +112,9 @@ void drawCircle(Shell &context, const Shape &shape) {
 void drawPoint(Shell &context, const Shape &shape) {
     Vec2 at = shape.nodes[0];
     if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
-        applyJoined(context, setHandle(*context.document.current(), {shape.id, 0}, at), "Move point");
-        context.view.reveal(boxOf(at, at));
+        if (applyTyped(context, setHandle(*context.document.current(), {shape.id, 0}, at), "Move point")) {
+            context.view.reveal(boxOf(at, at));
+        }
     }
 }
 
@@ -121,7 +123,7 @@ void drawEllipse(Shell &context, const Shape &shape) {
     Vec2 centre = shape.nodes[0];
     const Vec2 u = shape.nodes[1] - centre, v = shape.nodes[2] - centre;
     if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
-        context.applyCommand(setHandle(document, {shape.id, 0}, centre), "Move ellipse");
+        applyTyped(context, setHandle(document, {shape.id, 0}, centre), "Move ellipse", false);
     }
     Vec2 radii{length(u), length(v)};
     if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, Quantity::Rx, Quantity::Ry)) &&
@@ -140,7 +142,7 @@ void drawSlot(Shell &context, const Shape &shape) {
         Vec2 centre = shape.nodes[k];
         if (form::pair(context, k == 0 ? "inspector/centre" : "inspector/centre2", k == 0 ? "Centre 1" : "Centre 2",
                        centre, handleAddress(shape, k))) {
-            context.applyCommand(setHandle(document, {shape.id, k}, centre), "Move end of slot");
+            applyTyped(context, setHandle(document, {shape.id, k}, centre), "Move end of slot", false);
         }
     }
     double size = distance(shape.nodes[0], shape.nodes[1]);

@@ -20,6 +20,7 @@
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/number_field.hpp"
+#include "ui/workspace/typed_command.hpp"
 
 #include <imgui.h>
 
@@ -266,8 +267,9 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     if (shape->is<SlotForm>() && !isCentre(*shape, ref.node)) {
         slotWidthRow(context, *shape); // the place of its side follows
     } else if (form::pair(context, "inspector/at", "Position", at, handleAddress(*shape, ref.node))) {
-        applyJoined(context, setHandle(document, ref, at), "Move node");
-        context.view.reveal(boxOf(at, at));
+        if (applyTyped(context, setHandle(document, ref, at), "Move node")) {
+            context.view.reveal(boxOf(at, at));
+        }
     }
     if (isPath(*shape)) {
         drawNodeKind(context, *shape, ref);

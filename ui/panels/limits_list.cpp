@@ -69,9 +69,11 @@ void drawFix(Shell &context, const LimitVerdict &verdict, const std::string &nam
     }
     ImGui::SetCursorPosX(context.px(20));
     if (ui::link(context, name + "/fix", "Fix: " + fix->change)) {
-        context.applyCommand(std::move(fix->document), "Fix " + std::string(limitInfo(verdict.limit).name));
+        tryFix(context, verdict, *std::move(fix));
     }
-    ui::tooltip(context, "Change this setting, and mesh again. Undo takes it back.");
+    ui::tooltip(context,
+                "Change this setting, and mesh again. Undo takes it back, and so does a mesh that violates the limit "
+                "farther.");
 }
 
 void drawLimit(Shell &context, MeshLimit limit) {

@@ -53,15 +53,20 @@ void drawMeasureChoice(Workspace &context, const std::string &name, float width)
         choice = shown ? static_cast<int>(labels.size()) : choice;
         labels.push_back(field.label.c_str());
     }
+    if (context.view.formula.any()) { // of a lesson; to choose it again changes nothing
+        choice = static_cast<int>(labels.size());
+        labels.push_back(context.view.formula.name.c_str());
+    }
     if (ui::combo(context, name, labels, choice, width)) {
         const auto chosen = static_cast<std::size_t>(choice);
         if (chosen < measures) {
             chooseMeasure(context, static_cast<Measure>(choice));
-        } else {
+        } else if (chosen - measures < fields.size()) {
             chooseField(context, fields[chosen - measures].part, fields[chosen - measures].name);
         }
     }
-    const std::string meaning = context.view.field.empty()
+    const std::string meaning = context.view.formula.any() ? "Values that the page of the lesson shows"
+                                : context.view.field.empty()
                                     ? std::string(infoOf(context.view.measure).meaning)
                                     : "Values of the " + std::string(wordOf(context.view.fieldPart)) + "s in the file";
     ui::tooltip(context, meaning + "\nThe Quality layer shows it in colour");

@@ -10,6 +10,7 @@
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/number_field.hpp"
+#include "ui/workspace/typed_command.hpp"
 
 #include <imgui.h>
 
@@ -280,7 +281,7 @@ class NodesPanel final : public Panel {
             edited_ = index;
         }
         if (changed) {
-            applyJoined(context, setHandle(*context.document.current(), line.node, at), "Move node");
+            applyTyped(context, setHandle(*context.document.current(), line.node, at), "Move node");
             context.view.reveal(boxOf(at, at));
         }
     }

@@ -85,7 +85,9 @@ std::string rowDetail(const Document &document, const TreeRow &row) {
     case RowKind::Shape: {
         const std::string tag =
             row.count > 1 ? countOf(row.count, "part", "parts") : boundaryName(document.boundaryNames, row.tag);
-        return document.shapes[row.index]->use == ShapeUse::Constraint ? "inner line, " + tag : tag;
+        const Shape &shape = *document.shapes[row.index];
+        return (shape.group != 0 ? "group " + std::to_string(shape.group) + ", " : "") +
+               (shape.use == ShapeUse::Constraint ? "inner line, " : "") + tag;
     }
     case RowKind::ShapePart:
     case RowKind::Part:

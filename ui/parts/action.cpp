@@ -98,6 +98,21 @@ bool ActionRegistry::knows(Shortcut shortcut) const {
     });
 }
 
+void ActionRegistry::explain(std::string_view id, std::string needs) {
+    const auto action = std::find_if(actions_.begin(), actions_.end(), [&](const Action &a) { return a.id == id; });
+    if (action != actions_.end()) {
+        action->needs = std::move(needs);
+    }
+}
+
+const Action *ActionRegistry::waiting(Shortcut shortcut, const Shell &context) const {
+    const auto action = std::find_if(actions_.begin(), actions_.end(), [&](const Action &a) {
+        return !a.needs.empty() && a.enabled && !a.enabled(context) &&
+               std::find(a.shortcuts.begin(), a.shortcuts.end(), shortcut) != a.shortcuts.end();
+    });
+    return action == actions_.end() ? nullptr : &*action;
+}
+
 bool ActionRegistry::repeats(int key) const {
     return std::any_of(actions_.begin(), actions_.end(), [key](const Action &a) {
         return a.repeats && std::any_of(a.shortcuts.begin(), a.shortcuts.end(),

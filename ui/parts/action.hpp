@@ -45,6 +45,7 @@ struct Action {
     bool separatorBefore = false;
     bool repeats = false;             ///< its shortcut repeats while held
     std::vector<Shortcut> defaults{}; ///< the shortcuts it was added with; set by ActionRegistry::add()
+    std::string needs{};              ///< what it waits for while it is not enabled; set by ActionRegistry::explain()
 };
 
 class ActionRegistry {
@@ -59,6 +60,11 @@ class ActionRegistry {
     bool canRun(Shortcut shortcut, const Shell &context) const;
     /// Returns true if an action has this shortcut, enabled or not.
     bool knows(Shortcut shortcut) const;
+    /// Says what an action needs to be enabled, such as "select two shapes": a tip of its menu item, and the answer to
+    /// its shortcut.
+    void explain(std::string_view id, std::string needs);
+    /// Returns the first action with this shortcut that is not enabled and says what it needs; null if there is none.
+    const Action *waiting(Shortcut shortcut, const Shell &context) const;
     /// Returns true if a shortcut with this key repeats while held.
     bool repeats(int key) const;
     bool run(std::string_view id, Shell &context) const;

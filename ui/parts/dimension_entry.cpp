@@ -11,7 +11,8 @@ void DimensionEntry::open(const Document &document, std::uint64_t documentRevisi
     at = place;
     revision = documentRevision;
     const auto formula = document.formulas.find({NumberOwner::ofConstraint(id), Quantity::Value});
-    text = formula != document.formulas.end() ? formula->second : ui::editedNumber(findConstraint(document, id)->value);
+    initial = text =
+        formula != document.formulas.end() ? formula->second : ui::editedNumber(findConstraint(document, id)->value);
 }
 
 } // namespace forefront

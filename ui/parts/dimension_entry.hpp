@@ -17,6 +17,8 @@ struct DimensionEntry {
     std::uint64_t revision = 0;              ///< of the document when it was opened
     int frames = 0;                          ///< that the field was drawn
     std::string text;                        ///< a number, or an expression of parameters
+    std::string initial;                     ///< the text when it was opened
+    bool restore = false;                    ///< the field is to get its initial text back
     std::string fault;                       ///< why the text was refused
     bool edited = false;                     ///< the text was changed
 

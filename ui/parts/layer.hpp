@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct LayerFrame {
     std::shared_ptr<const LayerPlan> layerPlan; ///< of the document or, until it is found, of an earlier revision
     const Selection &selection;
     std::optional<Vec2> pointer;          ///< place under the pointer while it is over the canvas
+    std::set<std::uint32_t> blamed;       ///< ids of the constraints that the refusal of the last act names
     std::optional<Vec2> facePlace;        ///< in the face that the tool points at
     std::optional<std::size_t> candidate; ///< chosen in the table of the explained advance
     const Judgement &judgement;           ///< of the mesh shown now or a moment ago

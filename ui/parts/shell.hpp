@@ -7,6 +7,7 @@
 #include "ui/parts/dialog.hpp"
 #include "ui/parts/dimension_entry.hpp"
 #include "ui/parts/document_tabs.hpp"
+#include "ui/parts/fix_trial.hpp"
 #include "ui/parts/guide_drag.hpp"
 #include "ui/parts/layer.hpp"
 #include "ui/parts/menu_keys.hpp"
@@ -18,6 +19,7 @@
 #include "ui/workspace/run/adaptation.hpp"
 #include "ui/workspace/run/side_by_side.hpp"
 #include "ui/workspace/view/lesson_room.hpp"
+#include "ui/workspace/view/page_images.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <cstddef>
@@ -30,6 +32,8 @@
 #include <vector>
 
 namespace forefront {
+
+struct MeshExport;
 
 /// The tools, and the index of the active one.
 struct ToolBox {
@@ -66,6 +70,7 @@ struct Shell : Workspace {
     std::vector<LayerSlot> layers;
     std::vector<std::unique_ptr<Panel>> panels;
     LessonRoom lessons;
+    PageImages pageImages{background};
     double drawSeconds = 0.025; ///< per frame for drawing a large mesh; 0: one small piece a frame, for tests
     /// Id of the layer that coloured the canvas before showMeshColours(), or empty for none; absent: it is not in
     /// force.
@@ -79,8 +84,10 @@ struct Shell : Workspace {
     /// Name of the file that the mesh of a document was exported to last, without its extension, and
     /// DocumentStore::loads() of the document.
     std::pair<std::string, std::uint64_t> exported;
-    bool contextMenu = false; ///< a tool asks for the menu of the selection at the pointer
-    ContextMenu menu;         ///< see contextMenu; panels and tools can open other ones
+    std::shared_ptr<const MeshExport> written; ///< a mesh that was written since the recording of a script last looked
+    std::string recordedScript;                ///< name of the script that is being recorded; empty: none
+    bool contextMenu = false;                  ///< a tool asks for the menu of the selection at the pointer
+    ContextMenu menu;                          ///< see contextMenu; panels and tools can open other ones
     MenuKeys menuKeys;
     Naming naming;
     DimensionEntry dimensionEntry;
@@ -88,8 +95,9 @@ struct Shell : Workspace {
     SideBySide sides{background}; ///< runs with other grids or the other method
     /// The workspace to go back to while the canvas and the ten steps are presented alone; absent: they are not.
     std::optional<WorkspaceKind> presentedFrom;
-    bool quit = false;           ///< end the program after this frame
-    bool closeRequested = false; ///< the user closed the window; "file.quit" decides
+    std::optional<FixTrial> fixTrial; ///< a fix whose mesh is not judged yet
+    bool quit = false;                ///< end the program after this frame
+    bool closeRequested = false;      ///< the user closed the window; "file.quit" decides
     Adaptation adaptation{background};
     BackgroundTask task{background}; ///< reading a file
     FileWatch fileWatch{background}; ///< on the file of the document

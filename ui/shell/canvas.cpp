@@ -20,6 +20,7 @@
 #include "ui/shell/presentation.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
+#include "ui/workspace/messages/blamed_constraints.hpp"
 #include "ui/workspace/ranks.hpp"
 #include "ui/workspace/view/chosen_candidate.hpp"
 
@@ -238,6 +239,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .layerPlan = context.examiner.layers().plan(),
             .selection = context.selection,
             .pointer = context.view.pointer,
+            .blamed = blamedConstraints(context.log, context.document.revision()),
             .facePlace = context.view.facePlace,
             .candidate = chosenCandidate(context.view, context.run.now()),
             .judgement = *context.judgement,
@@ -402,13 +404,12 @@ void reserveSmallOutlines(const Shell &context, CanvasPainter &painter) {
 } // namespace
 
 /// Keeps labels on the canvas, and clear of the plates on it, as placed in the last frame, of the selected nodes and of
-/// what the tool draws.
+/// what the tool draws; not of messages, which pass.
 void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) {
     painter.keepInside(context.view.open);
     for (const auto &[name, widget] : context.widgets.all()) {
         const bool plate = name == "canvas/tools" || name.starts_with("plate/") || name == "hints" ||
-                           name == "canvas/plate" || name == "canvas/news" || name == "run" ||
-                           name.starts_with("canvas/legend/");
+                           name == "canvas/plate" || name == "run" || name.starts_with("canvas/legend/");
         if (plate) {
             painter.reserve(widget.rect);
         }

@@ -13,8 +13,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace forefront::shell {
 namespace {
@@ -30,6 +35,32 @@ void refuseDimension(Shell &context, const Diagnostics &faults) {
     context.animate();
 }
 
+/// Returns the index of the parameter that alone sets a dimension and is a number itself, if there is one.
+std::optional<std::size_t> parameterBehind(const Document &document, std::uint32_t id) {
+    const auto formula = document.formulas.find({NumberOwner::ofConstraint(id), Quantity::Value});
+    const std::size_t index = formula == document.formulas.end() ? document.parameters.size()
+                                                                 : parameterIndex(document.parameters, formula->second);
+    return index < document.parameters.size() && parseNumber(document.parameters[index].expression)
+               ? std::optional(index)
+               : std::nullopt;
+}
+
+/// Gives the parameter behind a dimension the value that was typed: the link between them stays.
+void setBehind(Shell &context, std::size_t parameter, const std::string &typed) {
+    const std::shared_ptr<const Document> document = context.document.current();
+    std::vector<Parameter> parameters = document->parameters;
+    const std::string name = parameters[parameter].name;
+    parameters[parameter].expression = typed;
+    Result<Document> next = setParameters(*document, std::move(parameters));
+    if (!next) {
+        refuseDimension(context, next.faults());
+    } else if (context.applyCommand(std::move(next), "Change parameter " + name + " to " + typed)) {
+        context.log.announce("Set the parameter " + name + " to " + typed);
+        context.dimensionEntry.close();
+        context.animate();
+    }
+}
+
 /// Sets the value and the expression of the dimension as one step, and closes the field.
 void finishDimension(Shell &context) {
     DimensionEntry &entry = context.dimensionEntry;
@@ -43,6 +74,11 @@ void finishDimension(Shell &context) {
     if (!value) {
         const std::string reason = unitFault(*document, typed);
         refuseDimension(context, reason.empty() ? value.faults() : error("bad-number", reason));
+        return;
+    }
+    const std::optional<std::size_t> parameter = number ? parameterBehind(*document, id) : std::nullopt;
+    if (parameter && entry.edited) {
+        setBehind(context, *parameter, typed);
         return;
     }
     Result<Document> next = setDimension(*document, id, *value);
@@ -71,7 +107,13 @@ void drawDimensionEntry(Shell &context, const SketchConstraint &constraint) {
     const std::string before = entry.text;
     const bool entered = ui::inputText(context, "dimension/value", entry.text, "4.5 or w/2",
                                        static_cast<float>(kDimensionWidth), true, false, true);
-    if (entry.text != before) {
+    if (std::exchange(entry.restore, false)) { // undo, where Dear ImGui has forgotten what was typed
+        entry.text = entry.initial;
+        entry.fault.clear();
+        entry.edited = false;
+        context.widgets.fields.request("dimension/value");
+        context.animate();
+    } else if (entry.text != before) {
         entry.edited = true;
         entry.fault.clear();
         context.animate();

@@ -30,7 +30,7 @@ ContextGroup colourGroup(const Shell &context) {
 ContextGroup measureGroup(const Shell &context) {
     ContextGroup group;
     for (const Measure measure : valuesOf<Measure>()) {
-        const bool shown = context.view.field.empty() && context.view.measure == measure;
+        const bool shown = context.view.field.empty() && !context.view.formula.any() && context.view.measure == measure;
         group.push_back(switchOf("measure/" + std::string(wordOf(measure)), infoOf(measure).name, shown,
                                  [measure](Shell &c) { chooseMeasure(c, measure); }));
     }

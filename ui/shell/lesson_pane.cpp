@@ -6,6 +6,7 @@
 #include "ui/lessons/page_check.hpp"
 #include "ui/shell/cut_edges.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/widgets/rich_text.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -26,6 +27,13 @@ namespace forefront::shell {
 namespace {
 
 using Reply = OpenLesson::Reply;
+using ui::PictureSource;
+
+/// What the texts of a page have shown so far.
+struct PageParts {
+    std::size_t links = 0, images = 0;
+    std::optional<std::size_t> next; ///< the page of a link that was clicked
+};
 
 /// Returns how far a lesson has been read: "page 3 of 8", or how many of its questions were answered once it is closed
 /// at its first page.
@@ -59,20 +67,29 @@ std::string keyOfLesson(std::size_t index) {
                         : std::string();
 }
 
-/// Draws a row of wrapped text that can be clicked, with a mark to its left.
-bool textRow(Shell &context, const std::string &name, const char *mark, Colour markColour, const std::string &text) {
+/// Draws a row of wrapped text that can be clicked, with a mark to its left. `formulas`: the text may have some.
+bool textRow(Shell &context, const std::string &name, const char *mark, Colour markColour, const std::string &text,
+             bool formulas) {
     const float left = context.px(48), pad = context.px(5);
     const float width = ImGui::GetContentRegionAvail().x;
-    const std::string lines = ui::wrapped(text, width - left - pad);
+    const std::optional<ui::RichText> rich =
+        formulas ? std::optional<ui::RichText>(std::in_place, context, text, width - left - pad, MarkupKind::Formulas)
+                 : std::nullopt;
+    const std::string lines = rich ? std::string() : ui::wrapped(text, width - left - pad);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height = ImGui::CalcTextSize(lines.c_str()).y + 2.0F * pad;
+    const float height = (rich ? rich->height() : ImGui::CalcTextSize(lines.c_str()).y) + 2.0F * pad;
     const bool pressed = ui::hitArea(name.c_str(), width, height);
     ui::mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + width, at.y + height},
                        ImGui::IsItemHovered() ? context.theme.hovered : context.theme.raised, context.px(5));
     list.AddText({at.x + context.px(8), at.y + pad}, markColour, mark);
-    list.AddText({at.x + left, at.y + pad}, context.theme.text, lines.c_str());
+    if (rich) {
+        std::size_t none = 0;
+        rich->draw(context, {at.x + left, at.y + pad}, context.theme.text, name, none, none);
+    } else {
+        list.AddText({at.x + left, at.y + pad}, context.theme.text, lines.c_str());
+    }
     return pressed;
 }
 
@@ -111,7 +128,7 @@ void drawList(Shell &context) {
     for (std::size_t k = 0; k < context.lessons.list.size(); ++k) {
         const LessonEntry &entry = context.lessons.list[k];
         if (textRow(context, "lessons/" + entry.id, std::to_string(k + 1).c_str(), context.theme.muted,
-                    entry.lesson->title)) {
+                    entry.lesson->title, false)) {
             chosen = entry;
         }
         ui::tooltip(context, entry.lesson->about);
@@ -124,6 +141,21 @@ void drawList(Shell &context) {
     if (chosen) {
         openLesson(context, *chosen);
     }
+}
+
+/// Draws a text of a page with its formulas, images and links. Of a link that was clicked, its page becomes
+/// `PageParts::next`.
+void drawText(Shell &context, const std::string &text, PageParts &parts) {
+    const PictureSource pictures = [&context](const std::string &file) { return context.pageImages.find(file); };
+    const ui::RichText rich(context, text, ImGui::GetContentRegionAvail().x, MarkupKind::All, pictures);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const std::optional<std::string> target =
+        rich.draw(context, corner, context.theme.text, "lesson", parts.links, parts.images);
+    if (target) {
+        parts.next = pageOfTarget(*context.lessons.open->entry.lesson, *target);
+    }
+    ImGui::SetCursorScreenPos(corner);
+    ImGui::Dummy({ImGui::GetContentRegionAvail().x, rich.height()});
 }
 
 /// A verdict on the last answer, as the pane shows it.
@@ -144,7 +176,7 @@ ShownVerdict verdictOf(const Theme &theme, Reply reply) {
     }
 }
 
-void drawReply(Shell &context, const OpenLesson &open, const LessonQuestion &question) {
+void drawReply(Shell &context, const OpenLesson &open, const LessonQuestion &question, PageParts &parts) {
     if (open.reply == Reply::None) {
         if (!open.before.empty()) {
             ui::small(context, open.before);
@@ -164,7 +196,7 @@ void drawReply(Shell &context, const OpenLesson &open, const LessonQuestion &que
     ui::mark(context, verdict.widget);
     const std::string &more = open.isSolved() ? question.why : open.hint;
     if (!more.empty()) {
-        ui::wrappedText(withValues(more, questionState(context)));
+        drawText(context, withValues(more, questionState(context)), parts);
         ui::mark(context, "lesson/why");
     }
 }
@@ -192,7 +224,7 @@ void drawChoices(Shell &context, const OpenLesson &open, const LessonChoices &ch
                                                            : context.theme.bad;
         const std::string mark = !picked ? keyText(k) : open.reply == Reply::Right ? icon::kCheck : icon::kCross;
         if (textRow(context, "lesson/choice/" + std::to_string(k), mark.c_str(), colour,
-                    withValues(choices.list[k].text, questionState(context)))) {
+                    withValues(choices.list[k].text, questionState(context)), true)) {
             chosen = k;
         }
     }
@@ -229,11 +261,11 @@ bool drawOtherRun(Shell &context, const OpenLesson &open) {
     return back;
 }
 
-void drawQuestion(Shell &context, OpenLesson &open) {
+void drawQuestion(Shell &context, OpenLesson &open, PageParts &parts) {
     const LessonQuestion &question = *open.now().question;
     ImGui::Dummy({0, context.px(2)});
     ui::heading(context, std::holds_alternative<LessonTask>(question.answer) ? "Try it" : "Question");
-    ui::wrappedText(withValues(question.text, questionState(context)));
+    drawText(context, withValues(question.text, questionState(context)), parts);
     ui::mark(context, "lesson/question");
     if (const auto *choices = std::get_if<LessonChoices>(&question.answer)) {
         drawChoices(context, open, *choices);
@@ -244,7 +276,7 @@ void drawQuestion(Shell &context, OpenLesson &open) {
         return;
     }
     const float top = ImGui::GetCursorPosY();
-    drawReply(context, open, question);
+    drawReply(context, open, question, parts);
     scrollToReply(open, top);
     if (question.show && !open.isSolved() && ui::link(context, "lesson/show", "Show me (Alt H)")) {
         showAnswer(context);
@@ -265,7 +297,7 @@ void drawAnswerLinks(Shell &context, const OpenLesson &open) {
         ui::tooltip(context, "Begin the lesson anew, without the answers given so far");
     }
     const std::uint64_t seed = open.entry.lesson->seed;
-    if (seed == 0) {
+    if (seed == 0 || !open.now().random) {
         return;
     }
     if (ui::link(context, "lesson/numbers", "Other numbers")) {
@@ -281,7 +313,7 @@ void drawAnswerLinks(Shell &context, const OpenLesson &open) {
 void drawTerms(Shell &context, const LessonPage &page) {
     std::string text = page.title;
     for (const std::string &paragraph : page.paragraphs) {
-        text += ' ' + paragraph;
+        text += ' ' + plainText(paragraph);
     }
     const std::vector<const GlossaryTerm *> terms = termsIn(text);
     if (terms.empty()) {
@@ -303,15 +335,20 @@ void drawPage(Shell &context, OpenLesson &open) {
     ui::wrappedText(page.title);
     ImGui::PopFont();
     ui::mark(context, "lesson/title");
-    for (const std::string &paragraph : page.paragraphs) {
-        ui::wrappedText(withValues(paragraph, pageState(context)));
+    PageParts parts;
+    for (std::size_t k = 0; k < page.paragraphs.size(); ++k) {
+        drawText(context, withValues(page.paragraphs[k], pageState(context)), parts);
+        ui::mark(context, "lesson/text/" + std::to_string(k));
         ImGui::Dummy({0, context.px(1)});
     }
     if (page.question) {
-        drawQuestion(context, open);
+        drawQuestion(context, open, parts);
     }
     drawAnswerLinks(context, open);
     drawTerms(context, page);
+    if (parts.next && context.lessons.open) {
+        goToPage(context, *parts.next);
+    }
 }
 
 void drawFooter(Shell &context, const OpenLesson &open) {
@@ -369,6 +406,9 @@ void drawLessons(Shell &context, const PixelRect &rect) {
         return;
     }
     followLesson(context);
+    if (context.pageImages.follow(context.lessons.open ? context.lessons.open->entry.lesson : nullptr)) {
+        context.animate();
+    }
     beginRegion("##lessons", rect, context.theme.panel, context.px(12), context.px(8));
     const float edge = static_cast<float>(rect.x + rect.width) - 1.0F;
     ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -22,6 +23,15 @@ namespace {
 
 constexpr std::array<const char *, 7> kMenus{"File", "Edit", "Shape", "View", "Mesh", "Learn", "Help"};
 constexpr std::string_view kMnemonics = "FESVMNH"; ///< letters that open the menus with Alt; Alt+L unlocks shapes
+
+/// Returns what an action that is not enabled needs, as a sentence.
+std::string tipOf(const Action &action) {
+    std::string tip = action.needs;
+    if (!tip.empty()) {
+        tip.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(tip.front())));
+    }
+    return tip;
+}
 
 } // namespace
 
@@ -37,6 +47,9 @@ void actionItem(Shell &context, const Action &action, std::string_view prefix) {
     ImGui::PopStyleColor();
     noteMenuItem(context, title, enabled);
     ui::mark(context, name, enabled);
+    if (!enabled) {
+        ui::tooltip(context, tipOf(action));
+    }
     ImGui::PopID();
     if (chosen) {
         action.run(context);
@@ -51,6 +64,9 @@ void submenu(Shell &context, const Action &action, std::string_view prefix) {
         noteMenuItem(context, action.title, !entries.empty(), true);
     }
     ui::mark(context, name, !entries.empty());
+    if (entries.empty()) {
+        ui::tooltip(context, tipOf(action));
+    }
     if (!open) {
         return;
     }

@@ -10,8 +10,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront::shell {
 
@@ -80,13 +83,22 @@ void drawLessonLinks(Shell &context) {
     }
     ImGui::Dummy({0, context.px(4)});
     ui::heading(context, "Learn");
+    std::vector<std::string> texts;
+    float widest = 0.0F;
+    for (const LessonEntry &entry : context.lessons.list) {
+        texts.push_back(std::to_string(texts.size() + 1) + "  " + entry.lesson->title);
+        widest = std::max(widest, ImGui::CalcTextSize(texts.back().c_str()).x);
+    }
+    // As many columns as have room for the longest title, so that the list is in sight without scrolling.
+    const float room = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
+    const std::size_t columns = 3.0F * (widest + context.px(12)) <= room ? 3 : 2;
     const LessonEntry *chosen = nullptr;
-    for (std::size_t k = 0; k < context.lessons.list.size(); ++k) {
+    for (std::size_t k = 0; k < texts.size(); ++k) {
         const LessonEntry &entry = context.lessons.list[k];
-        if (k % 2 == 1) {
-            ImGui::SameLine(0.5F * ImGui::GetContentRegionMax().x);
+        if (k % columns > 0) {
+            ImGui::SameLine(left + static_cast<float>(k % columns) / static_cast<float>(columns) * room);
         }
-        if (ui::link(context, "start/lesson/" + entry.id, std::to_string(k + 1) + "  " + entry.lesson->title)) {
+        if (ui::link(context, "start/lesson/" + entry.id, texts[k])) {
             chosen = &entry;
         }
         ui::tooltip(context, entry.lesson->about);

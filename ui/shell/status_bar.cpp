@@ -286,6 +286,18 @@ void addLog(Cells &cells, Shell &context) {
     ui::tooltip(context, context.plates.log ? "Hide the log" : "Show the log");
 }
 
+/// Says that a script is being recorded; a click ends that.
+void addRecording(Cells &cells, Shell &context) {
+    if (context.recordedScript.empty() ||
+        !cells.addRight("recording", "recording " + context.recordedScript, context.theme.text, context.theme.bad)) {
+        return;
+    }
+    if (cells.clicked("recording")) {
+        context.actions.run("file.recordScript", context);
+    }
+    ui::tooltip(context, "What you do is written to this script. Click to stop the recording");
+}
+
 /// Returns the menu of the status bar.
 std::vector<ContextGroup> statusMenu(const Shell &context) {
     const SessionSnapshot &run = context.run.now();
@@ -317,6 +329,7 @@ void drawStatusBar(Shell &context, const PixelRect &rect) {
     Cells cells(context, rect);
     cells.add("pointer", pointerText(context.view, context.document.current()->unit), context.theme.muted, 150);
     addLog(cells, context);
+    addRecording(cells, context);
     addFigures(cells, context);
     addMeshChip(cells, context);
     addChecks(cells, context);

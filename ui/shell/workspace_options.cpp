@@ -125,7 +125,8 @@ void drawStepOptions(Shell &context, ui::Flow &flow) {
 
 /// Draws the limit that meshes must meet by the measure that is shown, if there can be one.
 void drawLimitOption(Shell &context, ui::Flow &flow) {
-    const std::optional<MeshLimit> limit = context.view.field.empty() ? limitOf(context.view.measure) : std::nullopt;
+    const std::optional<MeshLimit> limit =
+        context.view.field.empty() && !context.view.formula.any() ? limitOf(context.view.measure) : std::nullopt;
     if (!limit) {
         return;
     }

@@ -22,6 +22,11 @@ namespace {
 const ImWchar kTextRanges[] = {0x0020, 0x017f, 0x0391, 0x03c9, 0x2010, 0x2027, 0x202f, 0x203a,
                                0x2070, 0x2094, 0x2190, 0x2195, 0x21e7, 0x21e7, 0x2202, 0x2202,
                                0x2205, 0x2265, 0x2318, 0x2318, 0x25a0, 0x25cf, 0};
+// Of formulas: see core/teaching/markup/math_symbols.cpp.
+const ImWchar kMathRanges[] = {0x0020, 0x007e, 0x00a0, 0x00ff, 0x0391, 0x03c9, 0x2010, 0x2027,
+                               0x2032, 0x2032, 0x2190, 0x2193, 0x2202, 0x2265, 0};
+const ImWchar kLetters[] = {0x0020, 0x007e, 0};
+const ImWchar kSums[] = {0x220f, 0x2211, 0x222b, 0x222b, 0};
 const ImWchar kAllLatin[] = {0x0020, 0x017f, 0x2010, 0x2027, 0};
 
 /// Height of a line of Inter and of DejaVu, in ems. Dear ImGui takes the size of a font to be that of its line.
@@ -49,6 +54,18 @@ class AtlasBuilder {
             add("truetype/dejavu/DejaVuSans.ttf", size, kTextRanges, &merge);
         }
         addIcons(*font, pixels(size), static_cast<int>(std::lround(icon * scale_)));
+        return font;
+    }
+
+    /// Adds a font of formulas; symbols that it lacks come from DejaVu.
+    ImFont *math(const char *file, float size, const ImWchar *ranges) {
+        ImFont *const font = add(file, size, ranges, nullptr);
+        if (font == nullptr) {
+            return add("truetype/dejavu/DejaVuSans.ttf", size, ranges, nullptr);
+        }
+        ImFontConfig merge;
+        merge.MergeMode = true;
+        add("truetype/dejavu/DejaVuSans.ttf", size, ranges, &merge);
         return font;
     }
 
@@ -125,6 +142,13 @@ Fonts loadFonts(float scale, std::string &warning) {
     fonts.page = fonts.icons = builder.text("opentype/inter/Inter-SemiBold.otf", 20.0F, kIcon);
     fonts.mono = builder.mono(12.0F);
     fonts.mono = fonts.mono != nullptr ? fonts.mono : fonts.body;
+    fonts.italic = builder.math("opentype/inter/Inter-Italic.otf", 13.0F, kLetters);
+    fonts.index = builder.math("opentype/inter/Inter-Regular.otf", 10.0F, kMathRanges);
+    fonts.indexItalic = builder.math("opentype/inter/Inter-Italic.otf", 10.0F, kLetters);
+    fonts.sum = builder.math("opentype/inter/Inter-Regular.otf", 20.0F, kSums);
+    for (ImFont **const font : {&fonts.italic, &fonts.index, &fonts.indexItalic, &fonts.sum}) {
+        *font = *font != nullptr ? *font : fonts.body;
+    }
     ImGui::GetIO().FontDefault = fonts.body;
     builder.build();
     for (ImFont *font : atlas.Fonts) {

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 
 #if IMGUI_VERSION_NUM >= 18700 && IMGUI_VERSION_NUM < 19140
@@ -106,6 +108,20 @@ void uploadFonts() {
 }
 
 #endif
+
+GlyphInk inkOf(ImFont &font, unsigned code) {
+    const ImFontGlyph *const glyph = glyphsOf(font).FindGlyph(static_cast<ImWchar>(code));
+    return glyph == nullptr ? GlyphInk() : GlyphInk{glyph->Y0, glyph->Y1, glyph->AdvanceX};
+}
+
+float baselineOf(ImFont &font) {
+    return glyphsOf(font).Ascent;
+}
+
+void drawTexture(ImDrawList &list, unsigned texture, ImVec2 min, ImVec2 max) {
+    // ImTextureID is a pointer in some versions, and a number in others.
+    list.AddImage((ImTextureID) static_cast<std::uintptr_t>(texture), min, max);
+}
 
 void makeTabular(ImFont &font, unsigned first, unsigned last) {
     auto &baked = glyphsOf(font);

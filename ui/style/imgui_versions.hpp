@@ -28,6 +28,16 @@ void build(ImFontAtlas &atlas);
 void drawInto(ImFontAtlas &atlas, int number, std::span<const unsigned char> cover);
 /// Gives characters the width of the widest and centres them in it.
 void makeTabular(ImFont &font, unsigned first, unsigned last);
+/// The ink of a character of a font, from the top of its line, and how far the next one is, in pixels.
+struct GlyphInk {
+    float top = 0.0F, bottom = 0.0F, advance = 0.0F;
+};
+/// Returns the ink of a character, or of what stands for one that the font lacks.
+GlyphInk inkOf(ImFont &font, unsigned code);
+/// Returns the height of the baseline of a font below the top of its line, in pixels.
+float baselineOf(ImFont &font);
+/// Draws a texture of OpenGL over a rectangle.
+void drawTexture(ImDrawList &list, unsigned texture, ImVec2 min, ImVec2 max);
 /// Gives the built atlas to the graphics card, in place of the one before.
 void uploadFonts();
 

@@ -38,6 +38,13 @@ void Flow::label(std::string_view text) {
     ImGui::SameLine();
 }
 
+void Flow::name(std::string_view text) {
+    ImGui::AlignTextToFramePadding();
+    muted(context_, text);
+    markCaption(context_, text);
+    ImGui::SameLine(0, context_.px(4));
+}
+
 void Flow::finish() {
     end();
     if (overflow_ == nullptr) {

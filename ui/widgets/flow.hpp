@@ -24,6 +24,8 @@ class Flow {
     void item(const char *name);
     /// Draws the label in front of a field, unless labels are left out. The tooltip of the field must say what it is.
     void label(std::string_view text);
+    /// Draws a short name in front of a field that has equals beside it; it is never left out.
+    void name(std::string_view text);
     float room() const { return room_; }
     /// Returns the width of the row so far, in pixels.
     float used() const { return used_; }

@@ -34,7 +34,12 @@ JudgeRequest judgeRequest(const Workspace &context) {
     // A mesh opened from a file is compared with the spacing of the drawing.
     request.spacing = shown.spacing || !context.run.showsFile() ? shown.spacing : context.preview->spacing;
     request.measure = context.view.measure;
-    if (const auto fields = context.run.fields(); fields && !context.view.field.empty()) {
+    if (context.view.formula.any() && request.mesh && !request.mesh->whole) {
+        request.measure = kFieldScale;
+        request.formula = context.view.formula;
+        request.field = context.view.formula.name;
+        request.fieldPart = context.view.formula.ofError ? MeshPart::Elements : MeshPart::Nodes;
+    } else if (const auto fields = context.run.fields(); fields && !context.view.field.empty()) {
         if (const auto *const values = fields->find(context.view.fieldPart, context.view.field)) {
             request.measure = kFieldScale;
             request.field = context.view.field;
@@ -85,7 +90,7 @@ MeasureBounds measureBounds(const Workspace &context) {
         const bool dragged = context.view.draggedLimit && context.view.draggedLimit->limit == limit;
         const std::optional<double> value =
             dragged ? std::optional(context.view.draggedLimit->value) : context.document.current()->limits[limit];
-        if (info.measure == of.measure && value) {
+        if (info.measure == of.measure && limitOf(info.measure) == limit && value) {
             (info.isMinimum ? bounds.minimum : bounds.maximum) = value;
         }
     }
@@ -125,8 +130,20 @@ void fitMeasureRange(Workspace &context) {
 }
 
 void chooseMeasure(Workspace &context, Measure measure) {
-    if (context.view.measure != measure || !context.view.field.empty()) {
+    if (context.view.measure != measure || !context.view.field.empty() || context.view.formula.any()) {
         context.view.measure = measure;
+        context.view.field.clear();
+        context.view.formula = {};
+        context.view.measureRange.reset();
+        context.view.isolatedBin.reset();
+        context.probe.rank.reset();
+        context.animate();
+    }
+}
+
+void chooseFormula(Workspace &context, const LessonColours &formula) {
+    if (!(context.view.formula == formula)) {
+        context.view.formula = formula;
         context.view.field.clear();
         context.view.measureRange.reset();
         context.view.isolatedBin.reset();
@@ -136,6 +153,7 @@ void chooseMeasure(Workspace &context, Measure measure) {
 }
 
 void chooseField(Workspace &context, MeshPart part, const std::string &name) {
+    context.view.formula = {};
     context.view.field = name;
     context.view.fieldPart = part;
     context.view.measureRange.reset();

@@ -43,6 +43,9 @@ void setLimit(Workspace &context, MeshLimit limit, std::optional<double> value);
 /// Chooses the measure to show; resets the colour range and the isolated bar of the previous one.
 void chooseMeasure(Workspace &context, Measure measure);
 
+/// Shows the values of an expression that a page of a lesson has; of none, the measure again.
+void chooseFormula(Workspace &context, const LessonColours &formula);
+
 /// Chooses values of nodes or elements of the opened mesh, which are shown instead of a measure.
 void chooseField(Workspace &context, MeshPart part, const std::string &name);
 

@@ -136,9 +136,10 @@ class Mesh(_core.MeshBase):
     def check(self, domain: Optional[Domain] = None, **limits: float) -> List[Fault]:
         """Checks that the mesh is valid and, if it is given, fits its domain; returns all faults and notes.
 
-        limits: such as min_angle=25, max_angle, min_alpha, min_scaled_jacobian, max_aspect, max_growth, min_length,
-        max_length, min_delta, min_across, max_valence. Each place that violates one is a fault. min_delta needs a node spacing: a
-        mesh that was read gets it from :meth:`with_size`.
+        limits: such as min_angle=25, max_angle, min_alpha, min_scaled_jacobian, max_aspect, max_layer_aspect,
+        max_growth, min_length, max_length, min_delta, min_across, max_valence. Each place that violates one is a fault.
+        With max_layer_aspect, max_aspect is one of the elements outside boundary layers. min_delta needs a node spacing:
+        a mesh that was read gets it from :meth:`with_size`.
         """
         return self._check(domain, limits_of(limits))
 

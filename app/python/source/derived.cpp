@@ -6,6 +6,7 @@
 #include "app/python/source/job.hpp"
 #include "app/python/source/progress_calls.hpp"
 #include "app/reports/report.hpp"
+#include "app/reports/second_order_notes.hpp"
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
@@ -46,7 +47,7 @@ PythonMesh recombinedMesh(const PythonMesh &self, const std::string &word, const
                                                             " left, where faces have odd numbers of edges, or "
                                                             "lines that must stay meet at flat angles"));
     }
-    const Diagnostics concave = notConvex(report);
+    const Diagnostics concave = concavePlaces(report);
     result.notes.insert(result.notes.end(), concave.begin(), concave.end());
     return result;
 }
@@ -69,8 +70,8 @@ PythonMesh raisedMesh(const PythonMesh &self, int quadNodes, const py::object &c
         raiseFaults(cancelled("raising the order"));
     }
     PythonMesh result = derivedFrom(self, std::move(mesh));
-    const Diagnostics straight = straightEdges(report);
-    result.notes.insert(result.notes.end(), straight.begin(), straight.end());
+    const Diagnostics notes = secondOrderNotes(report);
+    result.notes.insert(result.notes.end(), notes.begin(), notes.end());
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include "app/python/source/progress_calls.hpp"
 #include "app/python/source/shared_object.hpp"
 #include "app/reports/report.hpp"
+#include "app/reports/second_order_notes.hpp"
 #include "core/drawing/commands/mesh_within_limits.hpp"
 #include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/engine/adapt/mesh_outline.hpp"
@@ -38,8 +39,8 @@ Diagnostics notesOf(const MeshingOutcome &outcome, const MeshingJob &job) {
     Diagnostics notes = outcome.spacing->notes();
     for (const Diagnostics &more :
          {largeElements(outcome.mesh, job.domain, job.spacing.placed.regions), forcedAngles(outcome.leastAngle),
-          flatElements(measureQuality(outcome.mesh, nullptr)), notConvex(outcome.quads), straightEdges(outcome.order),
-          shortenedLayers(outcome.layers, outcome.mesh.boundaryNames)}) {
+          flatElements(measureQuality(outcome.mesh, nullptr)), concavePlaces(outcome.quads),
+          secondOrderNotes(outcome.order), shortenedLayers(outcome.layers, outcome.mesh.boundaryNames)}) {
         notes.insert(notes.end(), more.begin(), more.end());
     }
     return notes;

@@ -111,11 +111,19 @@ std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verd
         return fixAngle(document, 0.5 * (180.0 - verdict.bound));
     case MeshLimit::MaxAspect: // the height of layers is given
         return document.layers.empty() ? fixByImproving(document) : std::nullopt;
-    case MeshLimit::MinIslandArea:
-        return std::nullopt; // islands are drawn
+    case MeshLimit::MaxLayerAspect: // their heights are given
+    case MeshLimit::MinIslandArea:  // islands are drawn
+        return std::nullopt;
     default:
         return fixByImproving(document);
     }
+}
+
+bool makesWorse(const LimitVerdict &before, const LimitVerdict &after) {
+    constexpr double kNoticeable = 0.1;
+    const double limit = std::abs(before.bound);
+    return after.broken > 0 &&
+           std::abs(after.worst - after.bound) > std::abs(before.worst - before.bound) + kNoticeable * limit;
 }
 
 } // namespace forefront

@@ -20,4 +20,8 @@ struct LimitFix {
 /// force a part of the violations: the next mesh shows what is left.
 std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verdict);
 
+/// Returns true if the worst place of a limit is farther beyond it after a fix than before, by more than a tenth of the
+/// limit: such a fix is not worth fewer violations.
+bool makesWorse(const LimitVerdict &before, const LimitVerdict &after);
+
 } // namespace forefront

@@ -41,6 +41,16 @@ std::string applyFixes(const std::vector<LimitVerdict> &verdicts, Document &docu
     return changes;
 }
 
+/// Returns true if a limit that was violated is violated farther. Both are verdicts on the same limits.
+bool anyWorse(const std::vector<LimitVerdict> &before, const std::vector<LimitVerdict> &after) {
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        if (before[k].broken > 0 && makesWorse(before[k], after[k])) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Notes the limits that are still violated and why nothing more is done about them.
 void noteWhatIsLeft(const std::vector<LimitVerdict> &verdicts, Diagnostics &remarks) {
     for (const LimitVerdict &verdict : verdicts) {
@@ -90,12 +100,13 @@ Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, con
         }
         verdicts = judge(*outcome);
         const std::size_t before = violations(left), after = violations(verdicts);
+        const bool better = after < before && !anyWorse(left, verdicts);
         best.remarks.push_back(noteOf(
             "fixed", "fix: " + changes + ": " + std::to_string(before) + " violations, then " + std::to_string(after) +
                          ", " + std::to_string(best.outcome.mesh.elementCount()) + " elements, then " +
-                         std::to_string(outcome->mesh.elementCount()) + (after < before ? "" : "; not kept")));
-        idle = after < before ? 0 : idle + 1;
-        if (after < before) {
+                         std::to_string(outcome->mesh.elementCount()) + (better ? "" : "; not kept")));
+        idle = better ? 0 : idle + 1;
+        if (better) {
             best.job = std::move(next);
             best.outcome = std::move(*outcome);
             left = verdicts;

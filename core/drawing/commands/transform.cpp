@@ -1,5 +1,6 @@
 #include "core/drawing/commands/transform.hpp"
 
+#include "core/drawing/commands/fit_mapped.hpp"
 #include "core/drawing/constraints/map_constraints.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/shift_formulas.hpp"
@@ -321,8 +322,9 @@ Result<Document> transformSelection(const Document &document, const Selection &s
     mapConstraints(next, selection.shapes, map);
     if (map.isTranslation()) {
         moveFormulas(next, selection, map.shift);
+        return next;
     }
-    return next;
+    return fitMapped(document, std::move(next), selection.shapes);
 }
 
 Result<Document> copySelection(const Document &document, const Selection &selection, std::span<const PlaneMap> maps,

@@ -53,6 +53,9 @@ class ConstraintCarrier {
             const std::vector<SketchPart> images = parts_.images(part);
             const bool ofLength =
                 constraint.kind == ConstraintKind::Equal || constraint.kind == ConstraintKind::Midpoint;
+            if (images.empty() && part.kind == SketchPartKind::Node) {
+                return measuredFromSide(constraint);
+            }
             if (images.empty() || (ofLength && parts_.isShortened(part))) {
                 return std::nullopt;
             }
@@ -73,6 +76,76 @@ class ConstraintCarrier {
             return std::nullopt;
         }
         return reoriented(next_, std::move(carried));
+    }
+
+    /// Carries a length between nodes one of which was a corner that a fillet or chamfer has cut off: it is measured
+    /// from the rest of the side across it, on which the corner was. None if there is no such side.
+    std::optional<SketchConstraint> measuredFromSide(const SketchConstraint &constraint) const {
+        const std::optional<Vec2> way = wayOf(constraint);
+        if (!way) {
+            return std::nullopt;
+        }
+        SketchConstraint carried = constraint;
+        carried.kind = ConstraintKind::Distance;
+        carried.label.reset();
+        for (SketchPart &part : carried.parts) {
+            const std::vector<SketchPart> images = parts_.images(part);
+            const std::optional<SketchPart> image =
+                !images.empty() ? std::optional(images.front()) : sideAcross(part, *way);
+            if (!image) {
+                return std::nullopt;
+            }
+            part = *image;
+        }
+        if (carried.parts[0].kind != SketchPartKind::Node) { // a point comes first
+            std::swap(carried.parts[0], carried.parts[1]);
+        }
+        if (!partsFault(next_, carried.kind, carried.parts).empty()) {
+            return std::nullopt;
+        }
+        carried = reoriented(next_, std::move(carried));
+        return holdsIn(next_, carried) ? std::optional(std::move(carried)) : std::nullopt;
+    }
+
+    /// Returns the direction in which a dimension between two nodes measures; none for other constraints.
+    std::optional<Vec2> wayOf(const SketchConstraint &constraint) const {
+        if (constraint.kind == ConstraintKind::HorizontalDistance) {
+            return Vec2{1.0, 0.0};
+        }
+        if (constraint.kind == ConstraintKind::VerticalDistance) {
+            return Vec2{0.0, 1.0};
+        }
+        const bool ofNodes = std::all_of(constraint.parts.begin(), constraint.parts.end(),
+                                         [](const SketchPart &part) { return part.kind == SketchPartKind::Node; });
+        const bool measures = constraint.kind == ConstraintKind::Length || constraint.kind == ConstraintKind::Distance;
+        if (!measures || !ofNodes || constraint.parts.size() != 2) {
+            return std::nullopt;
+        }
+        const std::optional<Vec2> from = placeOfPart(before_, constraint.parts[0]);
+        const std::optional<Vec2> to = placeOfPart(before_, constraint.parts[1]);
+        return from && to ? std::optional(*to - *from) : std::nullopt;
+    }
+
+    /// Returns what is left of the straight segment at a lost node that is perpendicular to a direction.
+    std::optional<SketchPart> sideAcross(const SketchPart &node, Vec2 way) const {
+        const Shape *const shape = findShape(before_, node.shape);
+        if (shape == nullptr || !(isPath(*shape) || shape->is<RectangleForm>())) {
+            return std::nullopt;
+        }
+        const Outline outline = outlineOf(*shape);
+        const auto count = static_cast<std::uint32_t>(handleCount(*shape));
+        for (const std::uint32_t k : {node.index, (node.index + count - 1) % count}) {
+            if (k >= outline.segmentCount() || outline.isCurved(k)) {
+                continue;
+            }
+            constexpr double kPerpendicular = 1e-9;
+            const Vec2 along = outline.to(k) - outline.from(k);
+            const std::vector<SketchPart> images = parts_.images({node.shape, SketchPartKind::Segment, k});
+            if (!images.empty() && std::fabs(dot(along, way)) <= kPerpendicular * length(along) * length(way)) {
+                return images.front();
+            }
+        }
+        return std::nullopt;
     }
 
     /// Returns true unless a part of a constraint has become something that the constraint cannot have, such as a line

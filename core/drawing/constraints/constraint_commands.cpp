@@ -15,8 +15,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace forefront {
@@ -118,6 +120,13 @@ Document with(Document document, SketchConstraint constraint) {
     return document;
 }
 
+/// Adds the ids of the constraints that a fault names, without those of joints.
+Diagnostics naming(Diagnostics faults, const DocumentSketch &sketch, const std::set<std::uint32_t> &ids) {
+    std::copy_if(ids.begin(), ids.end(), std::back_inserter(faults.front().ids),
+                 [&](std::uint32_t id) { return id < sketch.jointId(0); });
+    return faults;
+}
+
 } // namespace
 
 const SketchConstraint *findConstraint(const Document &document, std::uint32_t id) {
@@ -196,20 +205,22 @@ Result<Document> addConstraint(const Document &document, SketchConstraint constr
     const ConstraintJudgement judgement = judgeConstraint(sketch.system, id);
     const std::set<std::uint32_t> others(judgement.with.begin(), judgement.with.end());
     if (judgement.verdict == ConstraintVerdict::Redundant) {
-        return error("constraint-redundant",
-                     others.empty() ? name + " always holds here: the form of the shapes implies it"
-                                    : name + " follows from " + relationNames(sketch, others),
-                     "leave it out, or remove one of these first");
+        return naming(error("constraint-redundant",
+                            others.empty() ? name + " always holds here: the form of the shapes implies it"
+                                           : name + " follows from " + relationNames(sketch, others),
+                            "leave it out, or remove one of these first"),
+                      sketch, others);
     }
     if (judgement.verdict == ConstraintVerdict::Conflict) {
         std::set<std::uint32_t> all = others;
         all.insert(id);
         const std::string with = others.empty() ? "" : " together with " + relationNames(sketch, others);
-        return error("constraint-conflict",
-                     cannotHold(sketch.system, all, nearestValues(sketch.system))
-                         ? name + " cannot hold" + (others.empty() ? " here" : with)
-                         : "no solution was found near by for " + name + with,
-                     clashAdvice(sketch, others));
+        return naming(error("constraint-conflict",
+                            cannotHold(sketch.system, all, nearestValues(sketch.system))
+                                ? name + " cannot hold" + (others.empty() ? " here" : with)
+                                : "no solution was found near by for " + name + with,
+                            clashAdvice(sketch, others)),
+                      sketch, others);
     }
     return settle(document, next);
 }

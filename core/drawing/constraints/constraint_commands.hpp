@@ -29,7 +29,7 @@ std::string freeConstraintName(const Document &document, ConstraintKind kind);
 Result<SketchConstraint> makeConstraint(const Document &document, ConstraintKind kind, std::vector<SketchPart> parts);
 
 /// Adds a constraint and moves what it moves. Errors: constraint-redundant names the constraints that already imply it;
-/// constraint-conflict those that it cannot hold with.
+/// constraint-conflict those that it cannot hold with. Their ids are in Diagnostic::ids.
 Result<Document> addConstraint(const Document &document, SketchConstraint constraint);
 /// Makes and adds a constraint.
 Result<Document> addConstraint(const Document &document, ConstraintKind kind, std::vector<SketchPart> parts);

@@ -13,15 +13,18 @@ namespace forefront {
 /// see settle().
 class ConstraintDrag {
   public:
-    /// `apart`: nodes that leave the joints with others.
-    explicit ConstraintDrag(std::shared_ptr<const Document> start, const std::set<NodeRef> &apart = {});
+    /// `apart`: nodes that leave the joints with others. `grabbed`: the nodes that the pointer moves, so that what
+    /// follows them may stay behind; empty: whatever moves.
+    explicit ConstraintDrag(std::shared_ptr<const Document> start, const std::set<NodeRef> &apart = {},
+                            std::set<NodeRef> grabbed = {});
     ~ConstraintDrag();
     ConstraintDrag(ConstraintDrag &&) noexcept;
     ConstraintDrag &operator=(ConstraintDrag &&) noexcept;
 
     /// Returns a step of the drag: `moved` is the start with nodes or shapes moved by the pointer, and the same parts.
-    /// What is dragged comes as near to its place there as the constraints let it; where no solution is found, it stays
-    /// as in the step before. Parts that no constraint names are as in `moved`.
+    /// What is grabbed gets its place there exactly if there is a solution near by; else it comes as near as the
+    /// constraints let it, and where no solution is found, it stays as in the step before. Parts that no constraint
+    /// names are as in `moved`.
     Document carry(const Document &moved);
 
   private:

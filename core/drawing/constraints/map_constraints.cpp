@@ -48,7 +48,7 @@ class ConstraintMapper {
         ConstraintList mapped;
         for (const auto &pointer : document_.constraints) {
             if (!isInside(*pointer)) {
-                mapped.push_back(pointer);
+                mapped.push_back(turnedWithOthers(pointer));
             } else if (std::optional<SketchConstraint> image = imageOf(*pointer)) {
                 mapped.push_back(*image == *pointer ? pointer
                                                     : std::make_shared<const SketchConstraint>(*std::move(image)));
@@ -61,6 +61,19 @@ class ConstraintMapper {
     bool isInside(const SketchConstraint &constraint) const {
         return std::all_of(constraint.parts.begin(), constraint.parts.end(),
                            [&](const SketchPart &part) { return shapes_.contains(part.shape); });
+    }
+
+    /// Gives a constraint that also binds other shapes the sides and turns that it has in the image: what is inside a
+    /// mirrored outline stays inside.
+    std::shared_ptr<const SketchConstraint> turnedWithOthers(const std::shared_ptr<const SketchConstraint> &given) {
+        const bool touches = std::any_of(given->parts.begin(), given->parts.end(),
+                                         [&](const SketchPart &part) { return shapes_.contains(part.shape); });
+        if (!touches || !partsFault(document_, given->kind, given->parts).empty()) {
+            return given;
+        }
+        DocumentSketch sketch(document_);
+        SketchConstraint image = oriented(sketch, *given);
+        return image == *given ? given : std::make_shared<const SketchConstraint>(std::move(image));
     }
 
     std::optional<SketchConstraint> imageOf(SketchConstraint constraint) {

@@ -1,23 +1,25 @@
 #include "core/drawing/constraints/settle.hpp"
 
 #include "core/drawing/constraints/conflict.hpp"
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/constraints/constraint_equations.hpp"
+#include "core/drawing/constraints/fewest_moves.hpp"
 #include "core/drawing/constraints/firm_numbers.hpp"
 #include "core/drawing/constraints/moved_parts.hpp"
 #include "core/drawing/constraints/orient.hpp"
+#include "core/drawing/constraints/settled_shape.hpp"
 #include "core/drawing/constraints/sketch_parts.hpp"
-#include "core/drawing/joints/joint_index.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/sketch/sketch_drag.hpp"
 #include "core/drawing/sketch/solve_sketch.hpp"
-#include "core/engine/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,6 +30,8 @@
 
 namespace forefront {
 namespace {
+
+using Role = ShapeUnknown::Role;
 
 /// Returns the ids of constraints that a document does not have in the same form.
 std::set<std::uint32_t> changedConstraints(const Document &before, const Document &next) {
@@ -293,13 +297,18 @@ class Settler {
 
     std::optional<SketchSolution> solveFreely(const SketchSystem &system, SolveEffort effort) const {
         if (hasChangedConstraint(system)) {
-            return solveSketch(system, effort);
+            std::optional<SketchSolution> placed = solveChanged(system);
+            return placed ? std::move(placed) : solveSketch(system, effort);
         }
-        // What the command put somewhere stays there, and the rest follows from where it was.
+        // What the command put somewhere stays there, if possible in both directions, and the rest follows from where
+        // it was.
         SketchSystem firm = system;
         for (std::size_t k = 0; k < firm.values.size(); ++k) {
             firm.held[k] = firm.held[k] || moved_[k];
             firm.values[k] = moved_[k] ? system.values[k] : start_[k];
+        }
+        if (std::optional<SketchSolution> placed = solveWithPlaced(firm)) {
+            return placed;
         }
         std::optional<SketchSolution> followed = solveSketch(firm, SolveEffort::Plain);
         if (followed && followed->flips == 0) {
@@ -309,6 +318,51 @@ class Settler {
             return SketchSolution{*std::move(dragged), 0};
         }
         return followed || effort == SolveEffort::Plain ? std::move(followed) : solveSketch(firm);
+    }
+
+    /// Solves a system with changed constraints so that what the command put somewhere stays there, or so that only one
+    /// shape moves; none if there is no such solution without flips.
+    std::optional<SketchSolution> solveChanged(SketchSystem system) const {
+        if (std::find(moved_.begin(), moved_.end(), true) == moved_.end()) {
+            return solveMovingOne(sketch_, system, shapesOfNew(system));
+        }
+        for (std::size_t k = 0; k < system.held.size(); ++k) {
+            system.held[k] = system.held[k] || moved_[k];
+        }
+        std::optional<SketchSolution> solution = solveSketch(system, SolveEffort::Plain);
+        return solution && solution->flips == 0 ? solution : std::nullopt;
+    }
+
+    /// Returns the shapes that new constraints in a system name.
+    std::set<std::uint32_t> shapesOfNew(const SketchSystem &system) const {
+        std::set<std::uint32_t> shapes;
+        for (const SketchEquation &equation : system.equations) {
+            const SketchConstraint *const constraint = findConstraint(next_, equation.constraint);
+            if (constraint != nullptr && findConstraint(before_, constraint->id) == nullptr) {
+                for (const SketchPart &part : constraint->parts) {
+                    shapes.insert(part.shape);
+                }
+            }
+        }
+        return shapes;
+    }
+
+    /// Solves a system without moving nodes in the direction in which the command has left them; none if there is no
+    /// such direction or no such solution without flips.
+    std::optional<SketchSolution> solveWithPlaced(SketchSystem system) const {
+        bool any = false;
+        for (const auto &[unknown, index] : sketch_.unknowns()) {
+            if (!moved_[index] || unknown.role > Role::Y || findShape(next_, unknown.shape)->is<RectangleForm>()) {
+                continue;
+            }
+            const Role other = unknown.role == Role::X ? Role::Y : Role::X;
+            const std::optional<std::uint32_t> across = sketch_.find({unknown.shape, other, unknown.index});
+            if (across && !system.held[*across]) {
+                system.held[*across] = any = true;
+            }
+        }
+        std::optional<SketchSolution> solution = any ? solveSketch(system, SolveEffort::Plain) : std::nullopt;
+        return solution && solution->flips == 0 ? solution : std::nullopt;
     }
 
     /// Pulls the moved unknowns to their places, as far as the constraints let them go.
@@ -347,12 +401,15 @@ class Settler {
         const bool several = clash.ids.size() > 1;
         const bool onlyOne = clash.ids.empty() || (!several && *clash.ids.begin() < sketch_.jointId(0));
         const std::string advice = onlyOne ? "change it or remove it" : clashAdvice(sketch_, clash.ids);
-        if (!clash.certain) {
-            return error("constraint-conflict",
-                         "no solution was found near by for " + names + (several ? " together" : "") + held,
-                         "change a value in smaller steps; or " + advice);
-        }
-        return error("constraint-conflict", names + " cannot hold" + (several ? " together" : "") + held, advice);
+        Diagnostics faults =
+            clash.certain
+                ? error("constraint-conflict", names + " cannot hold" + (several ? " together" : "") + held, advice)
+                : error("constraint-conflict",
+                        "no solution was found near by for " + names + (several ? " together" : "") + held,
+                        "change a value in smaller steps; or " + advice);
+        std::copy_if(clash.ids.begin(), clash.ids.end(), std::back_inserter(faults.front().ids),
+                     [&](std::uint32_t id) { return id < sketch_.jointId(0); });
+        return faults;
     }
 
     /// Puts "constraint" or "constraints" before names of which the first is that of a constraint.
@@ -391,32 +448,6 @@ class Settler {
             }
         }
         return settled;
-    }
-
-    /// Returns true if a closed shape with straight sides has become its mirror image.
-    static bool isTurnedOver(const Shape &before, const Shape &after) {
-        const bool closed = sideCount(before) == handleCount(before) && handleCount(before) > 2;
-        if (!closed || handleCount(before) != handleCount(after) || (isPath(before) && !before.path().curves.empty())) {
-            return false;
-        }
-        return signedArea(handlesOf(before)) * signedArea(handlesOf(after)) < 0.0;
-    }
-
-    /// Returns the first segment of a path or rectangle that has lost its length.
-    static std::optional<std::size_t> vanishedSegment(const Shape &before, const Shape &after) {
-        constexpr double kVanished = 1e-6; // of the length before
-        if (handleCount(before) != handleCount(after)) {
-            return std::nullopt;
-        }
-        const std::vector<Vec2> from = handlesOf(before), to = handlesOf(after);
-        for (std::size_t k = 0; k < sideCount(before); ++k) {
-            const std::size_t end = (k + 1) % from.size();
-            const double length = distance(from[k], from[end]);
-            if (length > 0.0 && distance(to[k], to[end]) <= kVanished * length) {
-                return k;
-            }
-        }
-        return std::nullopt;
     }
 
     Diagnostics degenerate(std::uint32_t shape, const std::string &why) const {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -113,10 +115,16 @@ class Projector {
         }
     }
 
+    double worst() const { return largest(residuals_); }
+
   private:
     double merit(const SketchVector &place, const SketchVector &residuals) const {
-        return 0.5 * (weights_.array() * (place - reference_).array().square()).sum() +
-               penalty_ * residuals.lpNorm<1>();
+        double distance = 0.0;
+        for (int k = 0; k < place.size(); ++k) {
+            const double gap = place[k] - reference_[k];
+            distance += gap != 0.0 ? weights_[k] * (gap * gap) : 0.0; // where the weight is infinite, there is no gap
+        }
+        return 0.5 * distance + penalty_ * residuals.lpNorm<1>();
     }
 
     bool step() {
@@ -194,6 +202,26 @@ bool project(ScaledPart &part, const SketchVector &reference, const SketchVector
     const SketchVector start = part.x;
     Projector(part, reference, weights).run();
     if (satisfy(part)) {
+        return true;
+    }
+    part.x = start;
+    return false;
+}
+
+bool projectFirm(ScaledPart &part, const SketchVector &reference, const std::vector<bool> &firm) {
+    const SketchVector start = part.x;
+    SketchVector weights = SketchVector::Ones(start.size());
+    for (int k = 0; k < start.size(); ++k) {
+        if (firm[static_cast<std::size_t>(k)]) {
+            part.x[k] = reference[k];
+            weights[k] = INFINITY;
+        }
+    }
+    Projector projector(part, reference, weights);
+    projector.run();
+    constexpr double kNear = 1e-2; // residual from which few steps lead to a solution, if there is one
+    constexpr int kSteps = 8;
+    if (projector.worst() < kNear && satisfy(part, {.weights = &weights, .iterations = kSteps})) {
         return true;
     }
     part.x = start;

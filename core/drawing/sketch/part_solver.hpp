@@ -2,6 +2,8 @@
 
 #include "core/drawing/sketch/scaled_part.hpp"
 
+#include <vector>
+
 namespace forefront {
 
 // The steps of the solver on one part. All leave the part as it was if they fail.
@@ -13,7 +15,7 @@ inline constexpr double kSketchHolds = 1e-9;
 
 struct SatisfyOptions {
     const SketchVector *residuals = nullptr; ///< that are to remain; null: 0
-    const SketchVector *weights = nullptr;   ///< of the changes of unknowns; null: 1
+    const SketchVector *weights = nullptr;   ///< of the changes of unknowns, infinite if they stay; null: 1
     double longestStep = 0.3;                ///< change of an unknown in one step, in sizes of the part
     int iterations = 80;
 };
@@ -30,5 +32,9 @@ bool follow(ScaledPart &part, int steps, const SketchVector *weights = nullptr);
 
 /// Moves x to the place nearest to `reference`, by the weights, that satisfies all equations.
 bool project(ScaledPart &part, const SketchVector &reference, const SketchVector &weights);
+
+/// Does the same with the unknowns marked as `firm` exactly where they are in `reference`. Gives up soon, since often
+/// there is no such place.
+bool projectFirm(ScaledPart &part, const SketchVector &reference, const std::vector<bool> &firm);
 
 } // namespace forefront

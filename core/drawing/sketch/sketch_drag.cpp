@@ -1,11 +1,16 @@
 #include "core/drawing/sketch/sketch_drag.hpp"
 
 #include "core/drawing/sketch/part_solver.hpp"
+#include "core/drawing/sketch/row_space.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -30,12 +35,14 @@ class DraggedPart {
         const SketchVector before = reference_;
         SketchVector target = start_;
         weights_.setOnes();
+        given_.clear();
         bool any = false;
         for (const SketchPull &pull : pulls) {
             if (const int k = part_.indexOf(pull.unknown); k >= 0) {
                 target[k] = part_.scaled(pull.value, start.kinds[pull.unknown]);
                 weights_[k] = kPullWeight;
                 any = any || pull.value != start.values[pull.unknown];
+                given_.push_back(pull);
             }
         }
         if (!any) {
@@ -43,15 +50,19 @@ class DraggedPart {
             moved_ = false;
             return true;
         }
-        const bool done = holdsAt(target) || moveTo(before, target);
+        const bool done = holdsAt(target) || moveFirmlyTo(before, target) || moveTo(before, target);
         reference_ = done ? target : before;
         moved_ = moved_ || done;
         return done;
     }
 
     void write(std::vector<double> &values) const {
-        if (moved_) {
-            part_.write(values);
+        if (!moved_) {
+            return;
+        }
+        part_.write(values);
+        for (const SketchPull &pull : exact_) {
+            values[pull.unknown] = pull.value; // scaling has rounded it
         }
     }
 
@@ -63,16 +74,56 @@ class DraggedPart {
             return false;
         }
         part_.x = target;
+        exact_ = given_;
         return true;
+    }
+
+    /// Goes to the solution nearest to the target that has the firm unknowns right there, unless it leaps.
+    bool moveFirmlyTo(const SketchVector &before, const SketchVector &target) {
+        std::vector<bool> firm(static_cast<std::size_t>(start_.size()), false);
+        std::vector<SketchPull> given;
+        for (const SketchPull &pull : given_) {
+            const int k = part_.indexOf(pull.unknown);
+            if (pull.firm && !isDetermined(k)) {
+                firm[static_cast<std::size_t>(k)] = true;
+                given.push_back(pull);
+            }
+        }
+        const SketchVector last = part_.x;
+        if (given.empty() || !projectFirm(part_, target, firm)) {
+            return false;
+        }
+        if (longestMove(part_.x, last) > kLeap * pace(before, target)) {
+            part_.x = last;
+            return false;
+        }
+        exact_ = std::move(given);
+        return true;
+    }
+
+    /// Returns true if an unknown cannot move from the start, to first order.
+    bool isDetermined(int k) {
+        if (!space_) {
+            space_ = std::make_unique<const RowSpace>(part_.slopes(start_));
+        }
+        const auto [known, fresh] = determined_.try_emplace(k, false);
+        if (fresh) {
+            known->second = space_->split(SketchVector::Unit(start_.size(), k)).outside.norm() <= kDependent;
+        }
+        return known->second;
+    }
+
+    static double pace(const SketchVector &before, const SketchVector &target) {
+        constexpr double kLeastStep = 0.02;
+        return std::max(longestMove(before, target), kLeastStep);
     }
 
     /// Goes to the solution nearest to the target; in small parts of the way where the direct one fails or leaps.
     bool moveTo(const SketchVector &before, const SketchVector &target) {
-        constexpr double kLeap = 4.0, kLeastStep = 0.02;
         constexpr int kParts = 16;
         const SketchVector last = part_.x;
-        const double pace = std::max(longestMove(before, target), kLeastStep);
-        if (project(part_, target, weights_) && longestMove(part_.x, last) <= kLeap * pace) {
+        if (project(part_, target, weights_) && longestMove(part_.x, last) <= kLeap * pace(before, target)) {
+            exact_.clear();
             return true;
         }
         part_.x = last;
@@ -81,14 +132,22 @@ class DraggedPart {
             const SketchVector on = before + (static_cast<double>(k) / kParts) * (target - before);
             done = project(part_, on, weights_);
         }
-        if (!done) {
+        if (done) {
+            exact_.clear();
+        } else {
             part_.x = last;
         }
         return done;
     }
 
+    static constexpr double kLeap = 4.0; ///< of the step of the pointer
+
     ScaledPart part_;
     SketchVector start_, reference_, weights_;
+    std::vector<SketchPull> given_;         ///< the pulls of this part, in the last step
+    std::vector<SketchPull> exact_;         ///< those that x has exactly
+    std::unique_ptr<const RowSpace> space_; ///< of the equations at the start
+    std::map<int, bool> determined_;
     bool moved_ = false;
 };
 

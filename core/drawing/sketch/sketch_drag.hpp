@@ -12,11 +12,12 @@ namespace forefront {
 struct SketchPull {
     std::uint32_t unknown = 0;
     double value = 0.0;
+    bool firm = true; ///< gets this value exactly, bit for bit, where there is a solution near by
 };
 
 /// A drag of unknowns of a sketch that holds. Each step gives the solution nearest to where the drag began, with the
-/// pulled unknowns near their values; so the way back leads to the same sketch. Corrections of the step before would
-/// drift, and flip every seventh sketch.
+/// pulled unknowns at their values, or near them where the equations do not let them go there; so the way back leads to
+/// the same sketch. Corrections of the step before would drift, and flip every seventh sketch.
 class SketchDrag {
   public:
     explicit SketchDrag(SketchSystem start);

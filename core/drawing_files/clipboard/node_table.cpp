@@ -400,8 +400,8 @@ NodeTableResult placeNodes(const Document &document, const std::set<std::uint32_
                            std::span<const std::string> lines) {
     NodeTableResult result;
     ReadTable table = TableReader(lines, result).read();
-    if (!result.faults.empty() || !result.fault.empty()) {
-        return result;
+    if (!result.fault.empty() || (!result.faults.empty() && !table.addressed)) {
+        return result; // rows without addresses stand for nodes by their number, which faults would change
     }
     if (!table.addressed) {
         std::optional<Shape> other = addressRows(document, shapes, table.rows, result);

@@ -93,6 +93,10 @@ std::string changeText(const ImproveStep &step) {
         return "smaller element put inside an element: five in its place";
     case ImproveChange::Pass:
         return "all changes of a pass over the irregular nodes";
+    case ImproveChange::Refill:
+        return step.addedEdges.empty() && step.removedEdges.empty()
+                   ? movedNodes(step) + " to make elements convex"
+                   : "elements that were not convex replaced, with those around them";
     case ImproveChange::DividePoor:
         return "poor quadrilaterals divided into triangles";
     case ImproveChange::Renumber:

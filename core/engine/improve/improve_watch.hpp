@@ -37,16 +37,17 @@ enum class ImproveChange : std::uint8_t {
     Insert,    ///< a node makes three elements of two
     Inset,     ///< a smaller element inside an element makes five of it
     Pass,      ///< all changes of one pass over the irregular nodes, of a mesh too large for single ones
+    Refill,    ///< elements that are not convex become so: nodes around them move, or others replace them
     DividePoor ///< poor quadrilaterals are divided into triangles
 };
 
 template <>
 struct EnumWords<ImproveChange> {
     static constexpr auto kLast = ImproveChange::DividePoor;
-    static constexpr std::array<std::string_view, 23> kList = {
-        "swap",   "sweep",     "restore",    "relaxed-swap", "merge", "divide", "cleanup",    "growth",
-        "polish", "remainder", "completion", "renumber",     "pair",  "walk",   "collapse",   "rotate",
-        "split",  "doublet",   "raise",      "insert",       "inset", "pass",   "divide-poor"};
+    static constexpr std::array<std::string_view, 24> kList = {
+        "swap",   "sweep",     "restore",    "relaxed-swap", "merge", "divide", "cleanup",  "growth",
+        "polish", "remainder", "completion", "renumber",     "pair",  "walk",   "collapse", "rotate",
+        "split",  "doublet",   "raise",      "insert",       "inset", "pass",   "refill",   "divide-poor"};
 };
 
 /// The parts of a mesh that a change may have affected.

@@ -6,12 +6,15 @@
 #include "core/engine/geometry/polygon.hpp"
 #include "core/engine/geometry/predicates.hpp"
 #include "core/engine/mapped/row_grid.hpp"
+#include "core/engine/mapped/row_untangle.hpp"
 #include "core/engine/mapped/strip_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -90,6 +93,9 @@ class RowBuilder {
             return fault("mapped-sides", "opposite sides of a mapped face have different numbers of edges",
                          "give them equal numbers of elements", at(outline.nodes.front()));
         }
+        if (Status faults = checkCorners(face, outline); !faults.empty()) {
+            return faults;
+        }
         ids_.assign((along + 1) * (across + 1), kNoIndex);
         RowGrid grid(along, across);
         columns_ = across + 1;
@@ -107,14 +113,13 @@ class RowBuilder {
             set(i, across, around(outline.corners[2] + along - i));
         }
         grid.interpolate();
-        const bool valid = !grid.invertedCell(!face.quads) || grid.smoothUntilValid(!face.quads, progress_);
+        const bool valid = !grid.invertedCell(!face.quads) || grid.smoothUntilValid(!face.quads, progress_) ||
+                           untangleRows(grid, !face.quads, progress_);
         if (progress_.cancelled()) {
             return cancelled("filling mapped faces");
         }
         if (!valid) {
-            return fault("mapped-inverted", "an element of a mapped face would be inverted",
-                         "choose other corners, or divide the face into parts with less bent sides",
-                         grid.cellCentre(*grid.invertedCell(!face.quads)));
+            return inverted(outline, grid.cellCentre(*grid.invertedCell(!face.quads)));
         }
         addNodes(grid);
         addRowCells(grid, ids_, face.quads, face.region, rows_);
@@ -122,8 +127,58 @@ class RowBuilder {
     }
 
   private:
-    static Diagnostics fault(const char *code, const char *what, const char *advice, Vec2 where) {
-        Diagnostics faults = error(code, what, advice);
+    /// Returns the interior angle at a place of an outline, degrees.
+    double angleAt(const RowOutline &outline, std::size_t k) const {
+        const std::size_t n = outline.nodes.size();
+        const Vec2 p = at(outline.nodes[k]), in = p - at(outline.nodes[(k + n - 1) % n]),
+                   out = at(outline.nodes[(k + 1) % n]) - p;
+        return 180.0 - std::atan2(cross(in, out), dot(in, out)) * 180.0 / std::numbers::pi;
+    }
+
+    /// Refuses corners that turn inwards: the one quadrilateral there has their angle. Two triangles share it, and
+    /// those at the corner where the rows of three sides meet are triangles, too.
+    Status checkCorners(const TransfiniteFace &face, const RowOutline &outline) const {
+        const std::size_t n = outline.nodes.size();
+        for (std::size_t c = face.corners.size() == 3 ? 1 : 0; face.quads && c < face.corners.size(); ++c) {
+            const std::size_t k = outline.corners[c];
+            const std::uint32_t node = outline.nodes[k];
+            if (orientation(at(outline.nodes[(k + n - 1) % n]), at(node), at(outline.nodes[(k + 1) % n])) <= 0) {
+                return fault("mapped-corners",
+                             "a corner of a mapped face has an interior angle of " +
+                                 numberText(std::round(angleAt(outline, k)), 4) +
+                                 " degrees, which no quadrilateral has; expected less than 180",
+                             "choose another node as a corner, or triangles", at(node));
+            }
+        }
+        return {};
+    }
+
+    /// Returns the fault that an element at a place is inverted, which names the node nearest to it where the outline
+    /// turns inwards, if there is one.
+    Diagnostics inverted(const RowOutline &outline, Vec2 where) const {
+        constexpr double kInwards = 190.0; // degrees
+        std::optional<std::size_t> nearest;
+        for (std::size_t k = 0; k < outline.nodes.size(); ++k) {
+            const bool isNearer =
+                !nearest || distance(at(outline.nodes[k]), where) < distance(at(outline.nodes[*nearest]), where);
+            if (isNearer && angleAt(outline, k) > kInwards) {
+                nearest = k;
+            }
+        }
+        if (!nearest) {
+            return fault("mapped-inverted", "an element of a mapped face would be inverted",
+                         "choose other corners, or divide the face into parts with less bent sides", where);
+        }
+        return fault(
+            "mapped-inverted",
+            "an element of a mapped face would be inverted beside the node " + placeText(at(outline.nodes[*nearest])) +
+                ", where its outline turns inwards",
+            "draw a line from that node to the facing side, which makes two faces of it, or choose other corners",
+            where);
+    }
+
+    static Diagnostics fault(const char *code, std::string what, const char *advice, Vec2 where) {
+        Diagnostics faults = error(code, std::move(what), advice);
         faults.front().at = where;
         return faults;
     }

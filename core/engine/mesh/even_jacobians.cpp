@@ -3,6 +3,7 @@
 #include "core/engine/geometry/compass.hpp"
 #include "core/engine/mesh/jacobian.hpp"
 #include "core/engine/mesh/placed_cell.hpp"
+#include "core/engine/mesh/second_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,8 @@ namespace forefront {
 
 namespace {
 
-constexpr double kKeptShape = 0.3; ///< scaled Jacobian of the corners that no move may go below
+/// Scaled Jacobians of the corners that no move may go below: at first, and where elements are still worth a report.
+constexpr double kKeptShape = 0.3, kKeptAtLast = 0.1;
 
 /// The elements around the nodes of a mesh.
 class ElementsAround {
@@ -63,17 +65,39 @@ class JacobianSmoothing {
     }
 
     void run(const Progress &progress) {
-        constexpr unsigned kRounds = 24;
-        std::vector<std::uint32_t> poor;
-        for (std::size_t e = 0; e < view_.elementCount(); ++e) {
-            if (isPoor(e)) {
-                poor.push_back(static_cast<std::uint32_t>(e));
-            }
-        }
+        std::vector<std::uint32_t> poor = below(kSoughtUniformity);
         if (poor.empty()) {
             return;
         }
         around_.emplace(view_);
+        improveAll(std::move(poor), progress);
+        keptShape_ = kKeptAtLast;
+        improveAll(below(kReportedUniformity), progress);
+    }
+
+    std::vector<MovedCorner> takeMoved() {
+        std::stable_sort(moved_.begin(), moved_.end(),
+                         [](const MovedCorner &x, const MovedCorner &y) { return x.node < y.node; });
+        const auto end = std::unique(moved_.begin(), moved_.end(),
+                                     [](const MovedCorner &x, const MovedCorner &y) { return x.node == y.node; });
+        moved_.erase(end, moved_.end());
+        return std::move(moved_);
+    }
+
+  private:
+    /// Returns the elements whose uniformity is below a value.
+    std::vector<std::uint32_t> below(double value) const {
+        std::vector<std::uint32_t> found;
+        for (std::size_t e = 0; e < view_.elementCount(); ++e) {
+            if (uniformity(e) < value) {
+                found.push_back(static_cast<std::uint32_t>(e));
+            }
+        }
+        return found;
+    }
+
+    void improveAll(std::vector<std::uint32_t> poor, const Progress &progress) {
+        constexpr unsigned kRounds = 24;
         for (unsigned round = 0; round < kRounds && !poor.empty(); ++round) {
             std::vector<std::uint32_t> changed;
             for (const std::uint32_t element : poor) {
@@ -89,16 +113,6 @@ class JacobianSmoothing {
         }
     }
 
-    std::vector<MovedCorner> takeMoved() {
-        std::stable_sort(moved_.begin(), moved_.end(),
-                         [](const MovedCorner &x, const MovedCorner &y) { return x.node < y.node; });
-        const auto end = std::unique(moved_.begin(), moved_.end(),
-                                     [](const MovedCorner &x, const MovedCorner &y) { return x.node == y.node; });
-        moved_.erase(end, moved_.end());
-        return std::move(moved_);
-    }
-
-  private:
     Vec2 &placeOf(NodeId node) { return elements_.mesh.nodes[index(node)]; }
     bool isPoor(std::size_t element) const { return uniformity(element) < kSoughtUniformity; }
     std::uint32_t middleAt(std::size_t element, std::size_t side) const {
@@ -113,14 +127,8 @@ class JacobianSmoothing {
         for (std::size_t k = 0; k < corners; ++k) {
             curved = curved || elements_.curved[middleAt(element, k)];
         }
-        if (!curved) { // the determinant is bilinear, or constant
-            double least = std::numeric_limits<double>::infinity(), most = 0.0;
-            for (std::size_t k = 0; k < corners; ++k) {
-                const double value = cross(cell.cornerAfter(k) - cell.nodes[k], cell.cornerBefore(k) - cell.nodes[k]);
-                least = std::min(least, value);
-                most = std::max(most, std::abs(value));
-            }
-            return most > 0.0 ? least / most : 0.0;
+        if (!curved) {
+            return straightUniformity(cell);
         }
         cell.kind = corners == 3 ? CellKind::Triangle6 : CellKind::Quadrilateral8;
         for (std::size_t k = 0; k < corners; ++k) {
@@ -182,7 +190,7 @@ class JacobianSmoothing {
         constexpr unsigned kSteps = 16;
         constexpr double kFirstStep = 0.1; // in edges
         constexpr double kGain = 1e-6;     // relative
-        const double kept = std::min(leastShapeAround(node), kKeptShape);
+        const double kept = std::min(leastShapeAround(node), keptShape_);
         double best = lossAround(node), step = kFirstStep * meanEdgeAt(node);
         bool moved = false;
         for (unsigned t = 0; t < kSteps && best > 0.0; ++t) {
@@ -221,6 +229,7 @@ class JacobianSmoothing {
     RaisedElements elements_;
     MeshView view_;
     std::vector<bool> free_; ///< per node
+    double keptShape_ = kKeptShape;
     std::optional<ElementsAround> around_;
     std::vector<MovedCorner> moved_;
 };

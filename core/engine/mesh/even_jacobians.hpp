@@ -31,7 +31,8 @@ inline constexpr double kSoughtUniformity = 0.25;
 
 /// Moves corners of the elements whose Jacobian determinant varies most, until its minimum is kSoughtUniformity of its
 /// maximum in each of them, or no move helps. No move lowers the scaled Jacobian of the corners around a node below
-/// 0.3, or further where it is lower. The ends of tagged edges, tagged nodes and the nodes of boundaries stay.
+/// 0.3, or further where it is lower; where an element would still be reported (kReportedUniformity), below 0.1. The
+/// ends of tagged edges, tagged nodes and the nodes of boundaries stay.
 /// `movable`: per node, whether it may move; empty: none. Returns each corner moved, once. Ends early when cancelled.
 std::vector<MovedCorner> evenJacobians(const RaisedElements &elements, const std::vector<bool> &movable,
                                        const Progress &progress);

@@ -315,6 +315,16 @@ double jacobianUniformity(const PlacedCell &cell) {
     return least / -minimumOf(determinant, scale, kTolerance, kNever, -kNever).ratio;
 }
 
+double straightUniformity(const PlacedCell &cell) {
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (std::size_t k = 0; k < cell.traits().corners; ++k) { // the determinant is bilinear, or constant
+        const double value = cross(cell.cornerAfter(k) - cell.nodes[k], cell.cornerBefore(k) - cell.nodes[k]);
+        least = std::min(least, value);
+        most = std::max(most, std::abs(value));
+    }
+    return most > 0.0 ? least / most : 0.0;
+}
+
 double jacobianAt(const PlacedCell &cell, Vec2 reference) {
     const std::array<Vec2, 2> along = BezierPatch(cell).derivatives(reference);
     return cross(along[0], along[1]);

@@ -20,6 +20,10 @@ double leastJacobianRatio(const PlacedCell &cell);
 /// the same bound: 1 for a triangle or parallelogram with straight edges. The maximum must be positive.
 double jacobianUniformity(const PlacedCell &cell);
 
+/// Returns the same for the element with straight edges that has the corners of `cell`; not positive if it is not
+/// convex, 0 if it is a point.
+double straightUniformity(const PlacedCell &cell);
+
 /// Returns the Jacobian determinant of an element of second order at a place of the reference element, for checks: the
 /// triangle (0,0), (1,0), (0,1) or the square [0,1]².
 double jacobianAt(const PlacedCell &cell, Vec2 reference);

@@ -1,6 +1,7 @@
 #include "core/engine/mesh/limits.hpp"
 
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/mesh/flat_stacks.hpp"
 #include "core/engine/mesh/islands.hpp"
 
 namespace forefront {
@@ -18,6 +19,10 @@ constexpr std::array<LimitInfo, wordsOf<MeshLimit>().size()> kLimitInfos = {{
      "Smallest scaled Jacobian allowed: 1 for equilateral triangles and squares, 0 for flat elements"},
     {"maximum aspect ratio", "maxAspect", Measure::Aspect, false, 1.0, 1e9,
      "Largest ratio allowed of the length of an element to its height, such as along boundary layers"},
+    {"maximum layer aspect", "maxLayerAspect", Measure::Aspect, false, 1.0, 1e9,
+     "Largest ratio allowed of length to height in boundary layers, the flat elements that are stacked on the "
+     "boundary; "
+     "with it, the maximum aspect ratio is one of the other elements"},
     {"maximum growth", "maxGrowth", Measure::AreaRatio, false, 1.0, 1e6,
      "Largest ratio allowed between the areas of elements that share an edge"},
     {"minimum edge length", "minLength", Measure::Length, true, kTiny, kNoMaximum, "Shortest edge allowed"},
@@ -45,6 +50,36 @@ std::vector<double> areaPerIsland(const MeshView &mesh, const MeshEdges &edges) 
         values[island.edges.front()] = island.area;
     }
     return values;
+}
+
+/// Returns the aspect ratios of the elements that a limit is for: of those in boundary layers, or, where these have a
+/// limit of their own, of the others.
+std::vector<double> aspectsFor(MeshLimit limit, const MeshView &mesh, const MeshEdges &edges,
+                               const MeshLimits &limits) {
+    std::vector<double> values = measureValues(Measure::Aspect, mesh, edges, nullptr);
+    if (!limits[MeshLimit::MaxLayerAspect]) {
+        return values;
+    }
+    const std::vector<bool> inLayers = elementsOfFlatStacks(mesh, edges);
+    for (std::size_t e = 0; e < values.size(); ++e) {
+        if (inLayers[e] != (limit == MeshLimit::MaxLayerAspect)) {
+            values[e] = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    return values;
+}
+
+std::vector<double> valuesFor(MeshLimit limit, const MeshView &mesh, const MeshEdges &edges, const MeshLimits &limits,
+                              const SpacingField *spacing) {
+    switch (limit) {
+    case MeshLimit::MinIslandArea:
+        return areaPerIsland(mesh, edges);
+    case MeshLimit::MaxAspect:
+    case MeshLimit::MaxLayerAspect:
+        return aspectsFor(limit, mesh, edges, limits);
+    default:
+        return measureValues(limitInfo(limit).measure, mesh, edges, spacing);
+    }
 }
 
 LimitVerdict verdictOf(MeshLimit limit, double bound, const MeshView &mesh, const MeshEdges &edges,
@@ -134,10 +169,8 @@ std::vector<LimitVerdict> checkLimits(const MeshView &mesh, const MeshEdges &edg
     std::vector<LimitVerdict> verdicts;
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
         if (const std::optional<double> bound = limits[limit]) {
-            const std::vector<double> values = limit == MeshLimit::MinIslandArea
-                                                   ? areaPerIsland(mesh, edges)
-                                                   : measureValues(limitInfo(limit).measure, mesh, edges, spacing);
-            verdicts.push_back(verdictOf(limit, *bound, mesh, edges, values, places));
+            verdicts.push_back(
+                verdictOf(limit, *bound, mesh, edges, valuesFor(limit, mesh, edges, limits, spacing), places));
         }
     }
     return verdicts;
@@ -152,10 +185,11 @@ std::string toString(const LimitVerdict &verdict) {
     const LimitInfo &info = limitInfo(verdict.limit);
     const std::string head = std::string(info.name) + ' ' + valueText(verdict.limit, verdict.bound) + ": ";
     if (verdict.judged == 0) {
-        return head + (verdict.limit == MeshLimit::MinDelta        ? "not checked: there is no spacing"
-                       : verdict.limit == MeshLimit::MinAcross     ? "met: nothing faces across a gap"
-                       : verdict.limit == MeshLimit::MinIslandArea ? "met: there are no islands"
-                                                                   : "met: there is nothing to measure");
+        return head + (verdict.limit == MeshLimit::MinDelta         ? "not checked: there is no spacing"
+                       : verdict.limit == MeshLimit::MinAcross      ? "met: nothing faces across a gap"
+                       : verdict.limit == MeshLimit::MinIslandArea  ? "met: there are no islands"
+                       : verdict.limit == MeshLimit::MaxLayerAspect ? "met: there are no boundary layers"
+                                                                    : "met: there is nothing to measure");
     }
     const std::string worst = "worst " + valueText(verdict.limit, verdict.worst);
     if (verdict.met()) {

@@ -24,6 +24,7 @@ enum class MeshLimit : std::uint8_t {
     MinAlpha,
     MinScaledJacobian,
     MaxAspect,
+    MaxLayerAspect,
     MaxGrowth,
     MinLength,
     MaxLength,
@@ -37,8 +38,8 @@ enum class MeshLimit : std::uint8_t {
 template <>
 struct EnumWords<MeshLimit> {
     static constexpr auto kLast = MeshLimit::MinIslandArea;
-    static constexpr std::array<std::string_view, 12> kList = {
-        "min-angle",  "max-angle",  "min-alpha", "min-scaled-jacobian", "max-aspect",  "max-growth",
+    static constexpr std::array<std::string_view, 13> kList = {
+        "min-angle",  "max-angle",  "min-alpha", "min-scaled-jacobian", "max-aspect",  "max-layer-aspect", "max-growth",
         "min-length", "max-length", "min-delta", "min-across",          "max-valence", "min-island-area"};
 };
 
@@ -93,8 +94,9 @@ struct LimitVerdict {
 };
 
 /// Checks a mesh against the limits that are set, in their order. A value within a relative 1e-9 of a limit meets it,
-/// so that rounding does not decide. Verdicts list at most `places` places; an island is one part, at its first edge.
-/// `spacing`: may be null.
+/// so that rounding does not decide. A limit of the aspect ratio of layers judges these, as elementsOfFlatStacks()
+/// finds them, and leaves the other elements to that of all. Verdicts list at most `places` places; an island is one
+/// part, at its first edge. `spacing`: may be null.
 std::vector<LimitVerdict> checkLimits(const MeshView &mesh, const MeshLimits &limits, const SpacingField *spacing,
                                       std::size_t places = 20);
 /// Checks as above, with the edges of the mesh already known.

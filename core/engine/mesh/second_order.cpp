@@ -7,6 +7,7 @@
 #include "core/engine/mesh/jacobian.hpp"
 #include "core/engine/mesh/outer_bulges.hpp"
 #include "core/engine/mesh/placed_cell.hpp"
+#include "core/engine/mesh/uneven_elements.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -342,6 +343,7 @@ bool raiseOrder(Mesh &mesh, const OrderRequest &request, SecondOrderReport &repo
     mesh.blocks = std::move(blocks);
     std::sort(report.straight.begin(), report.straight.end(),
               [](const StraightEdge &x, const StraightEdge &y) { return x.middle < y.middle; });
+    report.uneven = unevenElements(mesh);
     progress(kOrderStage, 1.0);
     return true;
 }

@@ -57,11 +57,21 @@ struct StraightEdge {
     friend bool operator==(const StraightEdge &, const StraightEdge &) = default;
 };
 
+/// An element whose Jacobian determinant varies much, as near a sharp corner of the domain.
+struct UnevenElement {
+    std::uint32_t element = 0;
+    Vec2 at;            ///< its centre
+    double ratio = 0.0; ///< minimum of the determinant over its maximum; not positive: the element is not convex
+
+    friend bool operator==(const UnevenElement &, const UnevenElement &) = default;
+};
+
 /// How a mesh got its second order.
 struct SecondOrderReport {
     std::size_t curvedEdges = 0;        ///< edges with their middle nodes on curves, off their chords
     std::size_t movedCorners = 0;       ///< corners moved for more uniform Jacobian determinants
     std::vector<StraightEdge> straight; ///< edges along curves that are straight, by number of their middle nodes
+    std::vector<UnevenElement> uneven;  ///< elements below kReportedUniformity, the worst first
 
     friend bool operator==(const SecondOrderReport &, const SecondOrderReport &) = default;
 };
@@ -69,6 +79,10 @@ struct SecondOrderReport {
 /// Elements of second order are accepted if their Jacobian determinant is at least this share of that of the same
 /// element with straight edges, everywhere.
 inline constexpr double kLeastCurvedJacobian = 0.05;
+
+/// Elements of second order are reported if the minimum of their Jacobian determinant is below this share of its
+/// maximum.
+inline constexpr double kReportedUniformity = 0.2;
 
 /// What raiseOrder() makes of a mesh. Refers to its parts.
 struct OrderRequest {

@@ -1,10 +1,13 @@
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/boundary/unmatched_sector.hpp"
 #include "core/engine/layers/boundary_layers.hpp"
 #include "core/engine/pipeline/element_limit.hpp"
 #include "core/engine/pipeline/stages.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -36,6 +39,13 @@ Status layersStage(MeshingState &state, const Progress &progress) {
     Result<BuiltLayers> built = buildLayers(requestOf(state), prepared.boundary, prepared.spacing, progress);
     if (!built) {
         return built.faults();
+    }
+    if (const DiscreteDomain &outer = *built->layers->outer;
+        const std::optional<std::uint32_t> node = unmatchedSector(outer)) {
+        Diagnostics faults = error("layers-crossing", "boundary layers run into each other where lines meet",
+                                   "leave out the layers of one of the lines, or end it before the others");
+        faults.front().at = outer.nodes[*node];
+        return faults;
     }
     prepared.layers = std::move(built->layers);
     prepared.boundary = std::move(built->boundary);

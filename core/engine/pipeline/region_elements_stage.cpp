@@ -172,6 +172,7 @@ void addReport(QuadReport &whole, const QuadReport &part) {
     whole.quadrilaterals += part.quadrilaterals;
     whole.notConvex += part.notConvex;
     whole.notConvexAt.insert(whole.notConvexAt.end(), part.notConvexAt.begin(), part.notConvexAt.end());
+    whole.trianglesAt.insert(whole.trianglesAt.end(), part.trianglesAt.begin(), part.trianglesAt.end());
     whole.irregularNodes += part.irregularNodes;
     whole.innerNodes += part.innerNodes;
 }

@@ -2,10 +2,38 @@
 #include "core/engine/pipeline/stages.hpp"
 #include "core/engine/spacing/shared_spacing.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 namespace forefront {
 
+namespace {
+
+/// Returns the regions of a job whose elements are quadrilaterals, or may be.
+QuadRegions quadRegionsOf(const MeshingJob &job) {
+    QuadRegions quads{job.options.elements != Elements::Triangles};
+    for (const RegionElements &region : job.regionElements) {
+        if ((region.elements != Elements::Triangles) != quads.byDefault) {
+            quads.others.push_back(region.region);
+        }
+    }
+    return quads;
+}
+
+bool hasMaxArea(const RegionSize &region) {
+    return region.maxArea > 0.0;
+}
+
+} // namespace
+
 Result<std::shared_ptr<const SpacingField>> buildSpacing(const MeshingJob &job, const Progress &progress) {
-    const SpacingSpec &spec = job.spacing;
+    std::optional<SpacingSpec> withQuads;
+    if (std::ranges::any_of(job.spacing.placed.regions, hasMaxArea)) {
+        withQuads = job.spacing;
+        withQuads->placed.quads = quadRegionsOf(job);
+    }
+    const SpacingSpec &spec = withQuads ? *withQuads : job.spacing;
     const GivenSegments segments = job.options.keepBoundary ? GivenSegments::Kept : GivenSegments::Divided;
     if (job.options.keepBoundary && spec.usesAutomatic() && spec.paint.tiles.empty() && !spec.background) {
         SpacingSpec kept = spec;

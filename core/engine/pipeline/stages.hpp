@@ -34,7 +34,8 @@ Status boundaryStage(MeshingState &state, const Progress &progress);
 /// findMappedFaces(), equalNumbers() and mappedRows(), "too-many-elements".
 Status mappedStage(MeshingState &state, const Progress &progress);
 /// Builds the boundary layers that the job asks for. Sets `prepared.layers`; replaces `prepared.boundary` and
-/// `prepared.spacing`.
+/// `prepared.spacing`. Errors: those of buildLayers(), "too-many-elements", "layers-crossing" (what the layers leave
+/// free has no consistent outline).
 Status layersStage(MeshingState &state, const Progress &progress);
 /// Returns the rows that layersStage() would make, before it. Errors: those of layerRows().
 Result<LayerRows> rowsOfLayers(const MeshingState &state, const Progress &progress);

@@ -7,6 +7,7 @@
 #include "core/engine/quads/pairing.hpp"
 #include "core/engine/quads/quad_blocks.hpp"
 #include "core/engine/quads/quad_cleanup.hpp"
+#include "core/engine/quads/quad_refill.hpp"
 #include "core/engine/quads/quad_smooth.hpp"
 #include "core/engine/quads/walk_triangles.hpp"
 
@@ -186,6 +187,7 @@ bool cleanUp(QuadMesh &mesh, const SpacingField &spacing, const MeshingOptions &
     QuadCleanup cleanup(mesh.elements, spacing, effortFor(options.improve), watch);
     const bool done = cleanup.run(progress);
     mesh.report.changes = cleanup.changes();
+    mesh.report.trianglesAt = refillPockets(mesh.elements, options.elements, progress, watch);
     if (options.elements == Elements::Mixed) {
         dividePoor(mesh.elements);
         if (watch != nullptr) {

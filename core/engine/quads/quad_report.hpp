@@ -21,8 +21,10 @@ struct QuadReport {
     std::size_t changes = 0;    ///< of the clean-up
     std::size_t triangles = 0;  ///< left in the mesh
     std::size_t quadrilaterals = 0;
-    std::size_t notConvex = 0;      ///< quadrilaterals with a corner of 180 degrees or more
-    std::vector<Vec2> notConvexAt;  ///< that corner of each
+    std::size_t notConvex = 0;     ///< quadrilaterals with a corner of 180 degrees or more
+    std::vector<Vec2> notConvexAt; ///< that corner of each
+    /// Where triangles are left since no quadrilaterals would be convex; one place for each such pocket of the domain.
+    std::vector<Vec2> trianglesAt;
     std::size_t irregularNodes = 0; ///< inside, with other than four elements
     std::size_t innerNodes = 0;
 

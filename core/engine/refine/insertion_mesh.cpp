@@ -127,7 +127,71 @@ std::uint32_t InsertionMesh::newElement(std::size_t like) {
     return elementCount() - 1;
 }
 
+void InsertionMesh::beginTrial() {
+    trial_.active = true;
+    trial_.nodes = mesh_.nodes.size();
+    trial_.elementCount = mesh_.elements.size();
+    trial_.edgeCount = mesh_.edges.size();
+    trial_.swaps = swaps_;
+    trial_.elements.clear();
+    trial_.sides.clear();
+    trial_.sidesOfTagged.clear();
+    trial_.edges.clear();
+}
+
+/// Records what set() is about to overwrite, if it was there when the trial began.
+void InsertionMesh::record(std::size_t element, const std::array<Side, 3> &next) {
+    const auto recordSide = [&](HalfEdge h) {
+        if (elementOf(h) < trial_.elementCount) {
+            trial_.sides.emplace_back(h, sideAt(h));
+        }
+    };
+    const bool known = std::any_of(trial_.elements.begin(), trial_.elements.end(),
+                                   [&](const auto &old) { return old.first == element; });
+    if (element < trial_.elementCount && !known) {
+        trial_.elements.emplace_back(static_cast<std::uint32_t>(element), mesh_.elements[element]);
+    }
+    for (unsigned k = 0; k < 3; ++k) {
+        recordSide(static_cast<HalfEdge>(3 * element + k));
+        if (next[k].across != kNoHalfEdge) {
+            recordSide(next[k].across);
+        }
+        if (next[k].tagged < trial_.edgeCount) {
+            trial_.sidesOfTagged.emplace_back(next[k].tagged, sideOfTagged_[next[k].tagged]);
+        }
+    }
+}
+
+void InsertionMesh::undoTrial() {
+    std::for_each(trial_.elements.rbegin(), trial_.elements.rend(),
+                  [&](const auto &old) { mesh_.elements[old.first] = old.second; });
+    std::for_each(trial_.sides.rbegin(), trial_.sides.rend(), [&](const auto &old) {
+        across_[old.first] = old.second.across;
+        tagged_[old.first] = old.second.tagged;
+    });
+    std::for_each(trial_.sidesOfTagged.rbegin(), trial_.sidesOfTagged.rend(),
+                  [&](const auto &old) { sideOfTagged_[old.first] = old.second; });
+    std::for_each(trial_.edges.rbegin(), trial_.edges.rend(),
+                  [&](const auto &old) { mesh_.edges[old.first] = old.second; });
+    mesh_.nodes.resize(trial_.nodes);
+    mesh_.elements.resize(trial_.elementCount);
+    if (!mesh_.regions.empty()) {
+        mesh_.regions.resize(trial_.elementCount);
+    }
+    mesh_.edges.resize(trial_.edgeCount);
+    sideOfTagged_.resize(trial_.edgeCount);
+    across_.resize(3 * trial_.elementCount);
+    tagged_.resize(3 * trial_.elementCount);
+    mark_.resize(trial_.elementCount);
+    swaps_ = trial_.swaps;
+    changed_.clear();
+    trial_.active = false;
+}
+
 void InsertionMesh::set(std::size_t element, const Element &nodes, const std::array<Side, 3> &sides) {
+    if (trial_.active) {
+        record(element, sides);
+    }
     mesh_.elements[element] = nodes;
     for (unsigned k = 0; k < 3; ++k) {
         const auto h = static_cast<HalfEdge>(3 * element + k);
@@ -219,6 +283,9 @@ bool InsertionMesh::insertOnEdge(HalfEdge h, Vec2 point) {
         first = edge;
         second = static_cast<std::uint32_t>(mesh_.edges.size());
         TaggedEdge half = mesh_.edges[edge];
+        if (trial_.active && edge < trial_.edgeCount) {
+            trial_.edges.emplace_back(edge, half);
+        }
         half.a = mesh_.edges[edge].b = node;
         mesh_.edges.push_back(half);
         sideOfTagged_.push_back(kNoHalfEdge);

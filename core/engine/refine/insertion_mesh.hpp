@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -58,6 +59,13 @@ class InsertionMesh {
 
     /// Returns the elements that the last change made or changed.
     const std::vector<std::uint32_t> &changed() const { return changed_; }
+    /// Records changes from now on, so that they can be taken back or kept. Not while others are recorded.
+    void beginTrial();
+    /// Returns the elements of changed() that were there when the trial began, with the nodes that they had.
+    const std::vector<std::pair<std::uint32_t, Element>> &replaced() const { return trial_.elements; }
+    void keepTrial() { trial_.active = false; }
+    /// Takes back all changes since beginTrial().
+    void undoTrial();
     /// Returns the number of edges swapped so far.
     std::size_t swaps() const { return swaps_; }
 
@@ -67,6 +75,16 @@ class InsertionMesh {
         HalfEdge across = kNoHalfEdge;
         std::uint32_t tagged = kNoIndex;
     };
+    /// What a trial changed, as it was before; the oldest first.
+    struct Trial {
+        bool active = false;
+        std::size_t nodes = 0, elementCount = 0, edgeCount = 0, swaps = 0;
+        std::vector<std::pair<std::uint32_t, Element>> elements;
+        std::vector<std::pair<HalfEdge, Side>> sides;
+        std::vector<std::pair<std::uint32_t, HalfEdge>> sidesOfTagged;
+        std::vector<std::pair<std::uint32_t, TaggedEdge>> edges;
+    };
+    void record(std::size_t element, const std::array<Side, 3> &next);
     Side sideAt(HalfEdge h) const { return {across_[h], tagged_[h]}; }
     bool positive(NodeId a, NodeId b, Vec2 point) const;
     std::uint32_t newElement(std::size_t like);
@@ -87,6 +105,7 @@ class InsertionMesh {
     std::vector<std::uint32_t> changed_, cavity_, mark_;
     std::uint32_t round_ = 0;
     std::size_t swaps_ = 0;
+    Trial trial_;
 };
 
 } // namespace forefront

@@ -5,6 +5,7 @@
 #include "core/engine/boundary/changed_boundary.hpp"
 #include "core/engine/geometry/half_length.hpp"
 #include "core/engine/refine/acute_lines.hpp"
+#include "core/engine/refine/guarded_nodes.hpp"
 #include "core/engine/refine/insertion_mesh.hpp"
 
 #include <algorithm>
@@ -76,8 +77,8 @@ double atDistance(const Curve &curve, const CurveStretch &stretch, const AcuteLi
 /// The state of a refinement.
 class Refinement {
   public:
-    Refinement(TriMesh &mesh, DiscreteDomain &boundary, const LeastAngleRules &rules)
-        : mesh_(mesh), boundary_(boundary), rules_(rules), work_(mesh), lines_(mesh),
+    Refinement(TriMesh &mesh, DiscreteDomain &boundary, const LeastAngleRules &rules, GuardedNodes &guarded)
+        : mesh_(mesh), boundary_(boundary), rules_(rules), guarded_(guarded), work_(mesh), lines_(mesh),
           cosine_(std::cos(rules.angle * kRadians)), height_(0.95 * 0.5 / std::tan(0.5 * rules.angle * kRadians)) {
         origin_.resize(mesh.edges.size());
         for (std::uint32_t i = 0; i < origin_.size(); ++i) {
@@ -140,6 +141,9 @@ class Refinement {
                 forced.push_back({corner, {ForcedBy::Corner, tip, angle, 1, distance(tip, centre)}});
             } else if (std::binary_search(kept_.begin(), kept_.end(), nodes)) {
                 forced.push_back({kNoNode, {ForcedBy::KeptEdge, centre, angle, 1, 0.0}});
+                if (guarded_.any() && c.cosine > guarded_.given(nodes) * (1.0 + kTolerance)) {
+                    guarded_.blame(nodes);
+                }
             } else {
                 report.reached = std::min(report.reached, angle);
                 faults.emplace_back(angle, faultOf(e, angle, centre));
@@ -236,24 +240,30 @@ class Refinement {
         }
         const Vec2 place = offCentre(cornersOf(mesh_, sharp.nodes), height_);
         const InsertionMesh::Walk walk = work_.walk(sharp.element, place);
+        const std::size_t heldBefore = held_;
+        bool done = true;
         if (walk.end == InsertionMesh::Walk::End::Blocked) {
-            if (const std::uint32_t edge = work_.taggedEdge(walk.side); isKept(edge)) {
-                kept_.push_back(sharp.nodes);
-            } else if (divide(edge) && mesh_.elements[sharp.element] == sharp.nodes) {
-                push(sharp.element, sharp.tries + 1);
-            }
+            done = divide(work_.taggedEdge(walk.side));
         } else if (walk.end == InsertionMesh::Walk::End::Inside) {
-            if (divideAround(elementOf(walk.side), place)) {
-                if (mesh_.elements[sharp.element] == sharp.nodes) {
-                    push(sharp.element, sharp.tries + 1);
+            if (!divideAround(elementOf(walk.side), place)) {
+                const Element around = mesh_.elements[elementOf(walk.side)];
+                if (attempt([&] { return work_.insert(elementOf(walk.side), place); }, around, 3)) {
+                    pushChanged();
                 }
-            } else if (work_.insert(elementOf(walk.side), place)) {
-                pushChanged();
+                done = false;
             }
+        }
+        if (mesh_.elements[sharp.element] != sharp.nodes) {
+            return;
+        }
+        if (done) { // edges near it
+            push(sharp.element, sharp.tries + 1);
+        } else if (held_ > heldBefore) {
+            kept_.push_back(sharp.nodes);
         }
     }
 
-    /// Divides the tagged edges around a place in whose diametral circles it lies. Returns false if there are none.
+    /// Divides the tagged edges around a place in whose diametral circles it lies. Returns false if none is divided.
     bool divideAround(std::size_t element, Vec2 place) {
         around_.clear();
         work_.tagsAround(element, place, around_);
@@ -269,12 +279,50 @@ class Refinement {
         return any;
     }
 
+    /// Makes a change that inserts a node in an element, or on the edge of its first two nodes. At guarded nodes, takes
+    /// it back if an element becomes sharper than the sharpest of those that it replaces: nothing may mend it. Returns
+    /// whether the change stays.
+    template <class Change>
+    bool attempt(const Change &change, const Element &around, unsigned corners) {
+        if (!guarded_.any()) {
+            return change();
+        }
+        work_.beginTrial();
+        if (!change()) {
+            work_.keepTrial();
+            return false;
+        }
+        guarded_.add(around, corners);
+        if (keepsAngles()) {
+            work_.keepTrial();
+            return true;
+        }
+        work_.undoTrial();
+        guarded_.removeLast();
+        ++held_;
+        return false;
+    }
+    /// Returns true if the last change touches no guarded node, or leaves no element sharper than it found.
+    bool keepsAngles() const {
+        double before = cosine_;
+        bool guards = false;
+        for (const auto &[element, nodes] : work_.replaced()) {
+            before = std::max(before, leastAngleCosine(mesh_, nodes));
+            guards = guards || guarded_.guards(nodes);
+        }
+        return !guards || std::all_of(work_.changed().begin(), work_.changed().end(), [&](std::uint32_t e) {
+            return leastAngleCosine(mesh_, mesh_.elements[e]) <= before * (1.0 + kTolerance) ||
+                   forcingCorner(e) != kNoNode;
+        });
+    }
+
     bool isKept(std::uint32_t edge) const {
         return edge == kNoIndex || (rules_.mayDivide && !rules_.mayDivide(origin_[edge]));
     }
     /// Divides a tagged edge and the segment of the boundary that it is.
     bool divide(std::uint32_t edge) {
         if (isKept(edge)) {
+            ++held_;
             return false;
         }
         const Vec2 a = mesh_.nodes[index(mesh_.edges[edge].a)], b = mesh_.nodes[index(mesh_.edges[edge].b)];
@@ -291,7 +339,9 @@ class Refinement {
             const double share = division->distance / distance(a, b);
             place = division->fromA ? lerp(a, b, share) : lerp(b, a, share);
         }
-        if (place == a || place == b || !work_.divide(edge, place)) {
+        if (place == a || place == b ||
+            !attempt([&] { return work_.divide(edge, place); }, {mesh_.edges[edge].a, mesh_.edges[edge].b, kNoNode},
+                     2)) {
             return false;
         }
         lines_.divided(edge, NodeId{static_cast<std::uint32_t>(mesh_.nodes.size() - 1)});
@@ -325,24 +375,48 @@ class Refinement {
     TriMesh &mesh_;
     DiscreteDomain &boundary_;
     const LeastAngleRules &rules_;
+    GuardedNodes &guarded_;
     InsertionMesh work_;
     AcuteLines lines_;
     double cosine_, height_;
     std::priority_queue<Sharp> sharp_;
     std::uint64_t age_ = 0;
     std::vector<std::uint32_t> origin_, around_;
-    std::vector<Element> kept_; ///< sharp elements beside edges that may not be divided
-    std::size_t added_ = 0, divided_ = 0;
+    std::vector<Element> kept_;                      ///< sharp elements beside edges that may not be divided
+    std::size_t added_ = 0, divided_ = 0, held_ = 0; ///< held_: changes that such edges did not allow
 };
 
-Status refine(TriMesh &mesh, DiscreteDomain &boundary, const LeastAngleRules &rules, LeastAngleReport &report,
-              const Progress &progress) {
-    Refinement refinement(mesh, boundary, rules);
+Status refineOnce(TriMesh &mesh, DiscreteDomain &boundary, const LeastAngleRules &rules, GuardedNodes &guarded,
+                  LeastAngleReport &report, const Progress &progress) {
+    report = {};
+    Refinement refinement(mesh, boundary, rules, guarded);
     if (Status faults = refinement.run(progress); !faults.empty()) {
         return faults;
     }
     sumAreas(boundary);
     return refinement.judge(report);
+}
+
+/// Refines. Where elements at edges that may not be divided become sharper than the given ones, begins again with more
+/// nodes guarded around them; with all of them, no element can.
+Status refine(TriMesh &mesh, DiscreteDomain &boundary, const LeastAngleRules &rules, LeastAngleReport &report,
+              const Progress &progress) {
+    GuardedNodes guarded(mesh, [&](std::uint32_t edge) { return rules.mayDivide && !rules.mayDivide(edge); });
+    if (!guarded.any()) {
+        return refineOnce(mesh, boundary, rules, guarded, report, progress);
+    }
+    const TriMesh given = mesh;
+    const DiscreteDomain givenBoundary = boundary;
+    constexpr unsigned kFirstRings = 2, kMostRings = 16;
+    for (unsigned rings = kFirstRings;; rings *= 2) {
+        Status faults = refineOnce(mesh, boundary, rules, guarded, report, progress);
+        if (progress.cancelled() || !guarded.anyBlamed() || rings > 2 * kMostRings) {
+            return faults;
+        }
+        mesh = given;
+        boundary = givenBoundary;
+        rings <= kMostRings ? guarded.extend(given, rings) : guarded.guardAll(given);
+    }
 }
 
 } // namespace

@@ -75,7 +75,8 @@ struct LeastAngleRules {
 /// proposed (Off-centers, 2004): where the shortest side is seen at the least angle, or the centre of the circumcircle
 /// if that is nearer. Where that node would lie beyond a tagged edge, or inside the circle over one as diameter, the
 /// edge is divided instead, on its curve if it is the chord of one (J. Ruppert, 1995). Edges around each new node are
-/// swapped by Delaunay's circle test. Elements that lie well are not touched.
+/// swapped by Delaunay's circle test. Elements that lie well are not touched. Beside edges that may not be divided, no
+/// element becomes sharper than those that were there.
 ///
 /// `mesh` and `boundary`: as the front and the improvement leave them; tagged edge i is segment i. Both get the new
 /// nodes, edges and segments at their ends. Errors: "least-angle" with the places that have smaller angles, or where it

@@ -202,7 +202,7 @@ Diagnostics addGaps(const PartInput &input, FieldParts &parts) {
 Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
     parts.words.regions = namesOf(input.spec.placed.regions, input.domain, input.faces);
     noteSteepRegions(input, parts.words.regions, parts.notes);
-    auto regions = RegionPart::build(input.spec.placed.regions, input.faces, input.minimum);
+    auto regions = RegionPart::build(input.spec.placed.regions, input.faces, input.minimum, input.spec.placed.quads);
     if (regions) {
         regions->addSites(input.gradation, input.givenGradation(), parts.few);
         parts.point<RegionPart>() = std::move(*regions);

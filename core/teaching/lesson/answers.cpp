@@ -5,7 +5,10 @@
 #include "core/teaching/lesson/random_numbers.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -81,6 +84,24 @@ AnswerCount countAnswers(const LessonAnswers &answers) {
         count.shown += !right && page.shown ? 1U : 0U;
     }
     return count;
+}
+
+bool mergeAnswers(LessonAnswers &given, const LessonAnswers &kept, const LessonAnswers &others) {
+    if (given.seed != others.seed || given.edition != others.edition || given.pages.size() != others.pages.size()) {
+        return false;
+    }
+    for (std::size_t k = 0; k < given.pages.size(); ++k) {
+        PageAnswers &page = given.pages[k];
+        const PageAnswers &other = others.pages[k];
+        const std::size_t known =
+            k < kept.pages.size() ? std::min(kept.pages[k].answers.size(), page.answers.size()) : 0;
+        std::vector<GivenAnswer> all = other.answers;
+        all.insert(all.end(), page.answers.begin() + static_cast<std::ptrdiff_t>(known), page.answers.end());
+        page.answers = std::move(all);
+        page.shown = page.shown || other.shown;
+        page.question = page.question.empty() ? other.question : page.question;
+    }
+    return true;
 }
 
 std::string answersText(const LessonAnswers &answers) {

@@ -49,6 +49,10 @@ AnswerCount countAnswers(const LessonAnswers &answers);
 LessonAnswers noAnswers(const Lesson &lesson);
 /// Returns true if there is an answer to any question, or one was shown.
 bool hasAnswers(const LessonAnswers &answers);
+/// Adds answers that were given elsewhere meanwhile: `given` and `others` both continue `kept`. Those of `others` come
+/// first. Returns false if they belong to other random numbers or another version of the lesson; nothing is changed
+/// then.
+bool mergeAnswers(LessonAnswers &given, const LessonAnswers &kept, const LessonAnswers &others);
 /// Returns the answers as a file: JSON, as assets/lessons/README.md describes it.
 std::string answersText(const LessonAnswers &answers);
 /// Reads such a file, of the editor or of a page. Faults carry their place in the source.

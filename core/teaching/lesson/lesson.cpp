@@ -1,8 +1,16 @@
 #include "core/teaching/lesson/lesson.hpp"
 
+#include "core/files/source/source.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace forefront {
 
@@ -125,6 +133,33 @@ bool asksForMesh(const LessonTask &task) {
     return std::any_of(task.until.begin(), task.until.end(), [](const LessonCondition &condition) {
         return needsMesh(condition.value) || (condition.other && needsMesh(*condition.other));
     });
+}
+
+std::optional<std::size_t> pageOfTarget(const Lesson &lesson, std::string_view target) {
+    const auto titled = std::find_if(lesson.pages.begin(), lesson.pages.end(),
+                                     [&](const LessonPage &page) { return page.title == target; });
+    if (titled != lesson.pages.end()) {
+        return static_cast<std::size_t>(titled - lesson.pages.begin());
+    }
+    std::size_t number = 0;
+    const auto [end, problem] = std::from_chars(target.data(), target.data() + target.size(), number);
+    const bool whole = problem == std::errc{} && end == target.data() + target.size();
+    return whole && number >= 1 && number <= lesson.pages.size() ? std::optional(number - 1) : std::nullopt;
+}
+
+Diagnostics pictureFaults(const Lesson &lesson, const std::string &file, bool decode) {
+    Diagnostics faults;
+    for (const auto &[name, picture] : lesson.pictures) {
+        for (Diagnostic fault : picture->faults.empty() && decode ? damageOf(*picture) : picture->faults) {
+            fault.message = "page " + std::to_string(picture->page) + ": cannot show the image " + inQuotes(name) +
+                            ": " + fault.message;
+            fault.file = file;
+            fault.line = picture->line;
+            fault.column = picture->column;
+            faults.push_back(std::move(fault));
+        }
+    }
+    return faults;
 }
 
 } // namespace forefront

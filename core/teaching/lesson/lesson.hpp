@@ -1,15 +1,19 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
+#include "core/teaching/lesson/lesson_colours.hpp"
 #include "core/teaching/lesson/lesson_formula.hpp"
+#include "core/teaching/lesson/lesson_picture.hpp"
 #include "core/teaching/lesson/lesson_value.hpp"
 #include "core/teaching/lesson/random_numbers.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -31,6 +35,7 @@ struct LessonPosition {
     bool atEnd = false;        ///< the finished and improved mesh; the rest is ignored
     std::uint64_t advance = 0; ///< advances done
     std::int64_t events = 0;   ///< moments shown of the next advance
+    bool random = false;       ///< `advance` is a random number
     LessonPlace place{};       ///< in the file
 
     friend bool operator==(const LessonPosition &a, const LessonPosition &b) {
@@ -93,7 +98,7 @@ struct LessonQuestion {
 /// A page of a lesson with the scene that it shows. Members that a page omits keep their values from the page before.
 struct LessonPage {
     std::string title;
-    std::vector<std::string> paragraphs; ///< may contain lesson values, see withValues()
+    std::vector<std::string> paragraphs; ///< may contain markup, see parseMarkup(), and values, see withValues()
     std::shared_ptr<const Document> document;
     std::string documentName;
     std::optional<Method> method;        ///< instead of that of the document
@@ -105,9 +110,14 @@ struct LessonPage {
     std::string panel;                              ///< id of the panel to show; empty: as it is
     LessonCamera camera;
     std::optional<LessonRange> range;        ///< not set: it fits the mesh
+    LessonColours colours;                   ///< of the layer "quality"
     std::vector<LessonHighlight> highlights; ///< on this page only
     std::optional<LessonQuestion> question;
+    bool random = false; ///< other random numbers change its position, texts or question
 };
+
+/// The pictures that the texts of a lesson show, by their files relative to the lesson.
+using LessonPictures = std::map<std::string, std::shared_ptr<const LessonPicture>>;
 
 /// A lesson about the advancing front: pages of text, each with a scene to explore and perhaps a question.
 struct Lesson {
@@ -116,7 +126,14 @@ struct Lesson {
     std::vector<LessonPage> pages;
     std::uint64_t seed = 0;            ///< of its random numbers; 0: it has none
     std::vector<RandomRange> random{}; ///< the ranges that it draws from
+    LessonPictures pictures{};         ///< those that cannot be shown have faults
 };
+
+/// Returns the page that a link leads to by its number, counted from 1, or its title; nothing if there is none.
+std::optional<std::size_t> pageOfTarget(const Lesson &lesson, std::string_view target);
+/// Returns why pictures of a lesson cannot be shown, with their places in the file of the lesson. `decode`: also
+/// decodes them, which takes a while.
+Diagnostics pictureFaults(const Lesson &lesson, const std::string &file, bool decode);
 
 /// Returns the number of pages with a question.
 std::size_t questionsOf(const Lesson &lesson);

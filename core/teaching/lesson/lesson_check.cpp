@@ -5,6 +5,7 @@
 #include "core/files/json/json.hpp"
 #include "core/files/source/text_place.hpp"
 #include "core/teaching/lesson/position_check.hpp"
+#include "core/teaching/markup/text_values.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -63,6 +64,7 @@ class LessonChecker {
         }
         checkPosition(page.position, {"position"});
         const std::shared_ptr<const SessionSnapshot> shown = run_->at(page.position);
+        checkColours(*shown);
         checkTexts({*shown});
         checkQuestion({*shown});
     }
@@ -115,14 +117,25 @@ class LessonChecker {
         }
     }
 
+    /// Reports that an expression has no values on the mesh that it colours.
+    void checkColours(const SessionSnapshot &shown) {
+        if (!page_->colours.any() || !shown.mesh) {
+            return;
+        }
+        const Result<std::vector<double>> values = coloursOn(page_->colours, shown.mesh->mesh, progress_);
+        if (!values && !progress_.cancelled()) {
+            const Diagnostic &fault = values.faults().front();
+            add(Severity::Error, "no-values", {"colours"}, "the mesh has no colours: " + fault.message, fault.advice);
+        }
+    }
+
     /// Reports values in braces that have no number in a state.
     void checkText(std::string_view text, const LessonState &state, Path path) {
-        for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
-            const std::string_view word = text.substr(open + 1, text.find('}', open) - open - 1);
-            const auto value = fromWord<LessonValue>(word);
+        for (const NamedValue &named : valuesNamed(text)) {
+            const auto value = fromWord<LessonValue>(named.word);
             if (value && !valueOf(*value, state)) {
                 add(Severity::Error, "no-value", path,
-                    "the value " + inQuotes(word) + " has no number at the position of the page",
+                    "the value " + inQuotes(named.word) + " has no number at the position of the page",
                     page_->document ? "choose a position where it has one, such as after an advance"
                                     : "add \"document\" to this page or to an earlier one");
             }
@@ -263,6 +276,7 @@ Diagnostics checkLesson(const Lesson &lesson, const SourceText &source, LessonRu
     if (!pages) {
         return json ? Diagnostics{} : json.faults();
     }
+    Diagnostics faults = pictureFaults(lesson, source.name, true);
     LessonChecker checker(source, runs, progress);
     std::size_t number = 0;
     for (const JsonValue item : *pages) {
@@ -271,7 +285,12 @@ Diagnostics checkLesson(const Lesson &lesson, const SourceText &source, LessonRu
         }
         checker.check(lesson.pages[number++], PageMembers(item, source.text));
     }
-    return progress.cancelled() ? cancelled("the check") : checker.take();
+    if (progress.cancelled()) {
+        return cancelled("the check");
+    }
+    const Diagnostics found = checker.take();
+    faults.insert(faults.end(), found.begin(), found.end());
+    return faults;
 }
 
 } // namespace forefront

@@ -25,6 +25,10 @@ SourceText LessonFile::source() const {
 Result<Lesson> LessonFile::withSeed(std::uint64_t seed, LessonNames names) const {
     names.seed = seed;
     names.document = nullptr;
+    names.picture = [this](const std::string &file) {
+        const auto known = lesson.pictures.find(file);
+        return known == lesson.pictures.end() ? readLessonPicture(path.parent_path() / file) : *known->second;
+    };
     Result<Lesson> other = readLesson(source(), names);
     for (std::size_t k = 0; other && k < other->pages.size(); ++k) {
         other->pages[k].document = lesson.pages[k].document;
@@ -42,6 +46,9 @@ Result<LessonFile> readLessonFile(const std::filesystem::path &path, LessonNames
         ImportOptions options;
         options.regularFile = true;
         return readDocument(folder / name, options);
+    };
+    names.picture = [folder = path.parent_path()](const std::string &picture) {
+        return readLessonPicture(folder / picture);
     };
     Result<Lesson> lesson = readLesson(file.source(), names);
     if (!lesson) {

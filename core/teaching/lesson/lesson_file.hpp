@@ -20,7 +20,8 @@ struct LessonFile {
     Result<Lesson> withSeed(std::uint64_t seed, LessonNames names) const;
 };
 
-/// Reads a lesson and its drawings, which lie in its folder or below it. `names`: without the reader of documents.
+/// Reads a lesson with its drawings and pictures, which lie in its folder or below it. `names`: without the readers of
+/// documents and pictures. A picture that cannot be shown is no fault of the lesson, see pictureFaults().
 /// Errors: cannot-read, too-large (a lesson is at most 4 MiB), those of readLesson().
 Result<LessonFile> readLessonFile(const std::filesystem::path &path, LessonNames names);
 

@@ -1,7 +1,9 @@
 #include "core/teaching/lesson/lesson_read.hpp"
 
+#include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/files/json/json_check.hpp"
 #include "core/files/rules/rules_json.hpp"
+#include "core/teaching/lesson/markup_check.hpp"
 #include "core/teaching/lesson/question_read.hpp"
 
 #include <algorithm>
@@ -14,13 +16,14 @@ namespace forefront {
 namespace {
 
 constexpr std::array<std::string_view, 5> kLessonMembers = {"format", "version", "title", "about", "pages"};
-constexpr std::array<std::string_view, 15> kPageMembers = {"title",   "text",  "document",  "method",   "grid",
-                                                           "improve", "rules", "position",  "layers",   "panel",
-                                                           "camera",  "range", "highlight", "question", "random"};
+constexpr std::array<std::string_view, 16> kPageMembers = {
+    "title",  "text",  "document", "method", "grid",    "improve",   "rules",    "position",
+    "layers", "panel", "camera",   "range",  "colours", "highlight", "question", "random"};
 
 class LessonReader {
   public:
-    LessonReader(const SourceText &source, const LessonNames &names) : names_(names), check_(source) {}
+    LessonReader(const SourceText &source, const LessonNames &names)
+        : names_(names), check_(source), markup_(source, names.picture) {}
 
     Result<Lesson> read(const JsonValue &root) {
         const auto format = root.find("format");
@@ -50,16 +53,21 @@ class LessonReader {
                         lesson.random.insert(lesson.random.end(), drawn.begin(), drawn.end());
                     }
                     lesson.pages.push_back(page(item, lesson.pages.empty() ? LessonPage() : lesson.pages.back()));
+                    markup_.page(item, numbers_);
                 }
             }
+            markup_.links(lesson);
             if (lesson.pages.empty()) {
                 check_.fault(*pages, "no-pages", "the lesson has no pages");
             }
         }
-        if (!check_.faults().empty()) {
-            return check_.faults();
+        Diagnostics faults = check_.faults();
+        faults.insert(faults.end(), markup_.faults().begin(), markup_.faults().end());
+        if (!faults.empty()) {
+            return faults;
         }
         lesson.seed = numbers_.empty() ? 0 : names_.seed;
+        lesson.pictures = markup_.takePictures();
         return lesson;
     }
 
@@ -86,7 +94,24 @@ class LessonReader {
             question && check_.expect(*question, JsonKind::Object, "\"question\"")) {
             page.question = readQuestion(*question, check_, numbers_);
         }
+        page.random = page.position.random || item.find("random") || namesNumber(item, false);
         return page;
+    }
+
+    /// Returns true if the texts or formulas of a part of a page name a random number.
+    bool namesNumber(const JsonValue &value, bool isFormula) const {
+        if (value.is(JsonKind::String)) {
+            return forefront::namesNumber(value.string(), numbers_, isFormula);
+        }
+        constexpr std::array<std::string_view, 3> kTexts = {"text", "hint", "why"};
+        for (auto item = value.begin(); item != value.end(); ++item) {
+            const std::string key = value.is(JsonKind::Object) ? item.key() : std::string();
+            const bool formula = key.empty() ? isFormula : std::find(kTexts.begin(), kTexts.end(), key) == kTexts.end();
+            if (key != "title" && namesNumber(*item, formula)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     void paragraphs(const JsonValue &text, LessonPage &page) {
@@ -137,7 +162,40 @@ class LessonReader {
         if (const auto range = item.find("range")) {
             page.range = readRange(*range);
         }
+        if (const auto colours = item.find("colours")) {
+            page.colours = readColours(*colours);
+        }
         needDocument(item, page);
+    }
+
+    /// Reads {"values": EXPRESSION} or {"error": EXPRESSION}, perhaps with a "name", or "alpha".
+    LessonColours readColours(const JsonValue &value) {
+        constexpr std::array<std::string_view, 1> kWords = {"alpha"};
+        constexpr std::array<std::string_view, 3> kMembers = {"values", "error", "name"};
+        LessonColours colours;
+        if (!value.is(JsonKind::Object)) {
+            check_.choice(value, kWords, "\"colours\"");
+            return colours;
+        }
+        expectMembers(check_, value, kMembers, "\"colours\"");
+        const auto values = value.find("values"), error = value.find("error");
+        if (values.has_value() == error.has_value()) {
+            check_.fault(value, "bad-colours", "expected one of \"values\" and \"error\" in \"colours\"",
+                         "write an expression in x and y, such as {\"error\": \"sin(x)*y\"}");
+            return colours;
+        }
+        const JsonValue expression = values ? *values : *error;
+        colours.ofError = error.has_value();
+        colours.expression = shownText(check_, expression, "the expression of \"colours\"", nullptr);
+        colours.name = colours.ofError ? "estimated error" : "value";
+        if (const auto name = value.find("name")) {
+            colours.name = shownText(check_, *name, "the name of \"colours\"", nullptr);
+        }
+        const Result<NodalField> field = expressionField(colours.expression);
+        if (!field && !colours.expression.empty()) {
+            check_.fault(expression, "bad-colours", field.faults().front().message, field.faults().front().advice);
+        }
+        return colours;
     }
 
     /// Reports members that need a document when there is none.
@@ -145,7 +203,7 @@ class LessonReader {
         if (!page.documentName.empty() || item.find("document")) {
             return;
         }
-        for (const char *member : {"method", "grid", "improve", "rules", "position"}) {
+        for (const char *member : {"method", "grid", "improve", "rules", "position", "colours"}) {
             if (const auto value = item.find(member)) {
                 check_.fault(*value, "no-document", inQuotes(member) + " has no effect without a document",
                              "add \"document\" to this page or to an earlier one");
@@ -155,8 +213,7 @@ class LessonReader {
 
     /// Returns false and reports an error if a path leaves the lesson's folder.
     bool isInFolder(const JsonValue &value, const std::string &name) {
-        const std::filesystem::path path(name);
-        if (path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end()) {
+        if (isWithinFolder(name)) {
             return true;
         }
         check_.fault(value, "bad-document", "the document " + inQuotes(name) + " is outside the lesson's folder",
@@ -172,6 +229,7 @@ class LessonReader {
         page.rules.reset();
         page.position = {};
         page.camera = {};
+        page.colours = {};
         if (!isInFolder(value, page.documentName) || !names_.document || page.documentName.empty()) {
             return;
         }
@@ -255,6 +313,7 @@ class LessonReader {
 
     const LessonNames &names_;
     JsonCheck check_;
+    MarkupCheck markup_;
     RandomNumbers numbers_; ///< of this page and those before
     std::map<std::string, std::shared_ptr<const Document>> documents_;
 };

@@ -24,6 +24,8 @@ struct LessonNames {
     std::map<std::string, std::vector<std::string>> widgets;
     /// Reads the document with this name, a path relative to the lesson; empty: documents are not read.
     std::function<Result<Document>(const std::string &name)> document;
+    /// Reads the picture of this file, a path relative to the lesson; empty: pictures are not read.
+    std::function<LessonPicture(const std::string &file)> picture{};
     /// Chooses the random numbers of the lesson; the same seed gives the same numbers.
     std::uint64_t seed = 1;
 };

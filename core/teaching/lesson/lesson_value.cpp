@@ -1,6 +1,7 @@
 #include "core/teaching/lesson/lesson_value.hpp"
 
 #include "core/engine/base/number_text.hpp"
+#include "core/teaching/markup/text_values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -138,21 +139,11 @@ bool needsMesh(std::string_view text) {
 }
 
 std::string withValues(std::string_view pattern, const LessonState &state) {
-    std::string result;
-    for (std::size_t at = 0; at < pattern.size();) {
-        const std::size_t open = std::min(pattern.find('{', at), pattern.size());
-        const std::size_t close = pattern.find('}', open);
-        result += pattern.substr(at, open - at);
-        if (close == std::string_view::npos) {
-            result += pattern.substr(open);
-            break;
-        }
-        const auto value = fromWord<LessonValue>(pattern.substr(open + 1, close - open - 1));
+    return withValuesReplaced(pattern, [&](std::string_view word) -> std::optional<std::string> {
+        const auto value = fromWord<LessonValue>(word);
         const auto number = value ? valueOf(*value, state) : std::nullopt;
-        result += number ? text(*number) : "\xe2\x80\x93";
-        at = close + 1;
-    }
-    return result;
+        return number ? text(*number) : "\xe2\x80\x93";
+    });
 }
 
 bool holds(const LessonCondition &condition, const LessonState &state) {

@@ -76,7 +76,8 @@ std::optional<double> valueOf(LessonValue value, const LessonState &state);
 bool needsMesh(LessonValue value);
 bool needsMesh(std::string_view text);
 
-/// Returns a text in which each {word} of a lesson value is replaced by its number, or by "–" if there is none.
+/// Returns a text in which each {word} of a lesson value, in formulas \value{word}, is replaced by its number, or by
+/// "–" if there is none.
 std::string withValues(std::string_view text, const LessonState &state);
 
 /// The relation that a condition demands.

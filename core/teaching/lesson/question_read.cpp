@@ -1,6 +1,7 @@
 #include "core/teaching/lesson/question_read.hpp"
 
 #include "core/files/common/names.hpp"
+#include "core/teaching/markup/text_values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -192,15 +193,13 @@ LessonChoices readChoices(const JsonValue &list, JsonCheck &check, const RandomN
 }
 
 void checkBraces(JsonCheck &check, const JsonValue &value, std::string_view text, const RandomNumbers &numbers) {
-    for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
-        const std::size_t close = std::min(text.find('}', open), text.size());
-        const std::string_view word = text.substr(open + 1, close - open - 1);
-        if (close == text.size() || !fromWord<LessonValue>(word)) {
+    for (const NamedValue &named : valuesNamed(text)) {
+        if (!named.closed || !fromWord<LessonValue>(named.word)) {
             std::string names = wordList<LessonValue>();
             for (const auto &[name, number] : numbers) {
                 names += ", " + name;
             }
-            check.fault(value, "unknown-value", "unknown value " + inQuotes(word) + " in braces",
+            check.fault(value, "unknown-value", "unknown value " + inQuotes(named.word) + " in braces",
                         "expected one of: " + names);
         }
     }
@@ -229,7 +228,7 @@ std::string shownText(JsonCheck &check, const JsonValue &value, std::string_view
         check.fault(value, "empty-text", "expected a text for " + std::string(what) + ", got an empty one");
     }
     if (numbers != nullptr) {
-        text = withNumbers(std::move(text), *numbers);
+        text = withNumbers(text, *numbers);
         checkBraces(check, value, text, *numbers);
     }
     return text;
@@ -282,6 +281,7 @@ LessonPosition readPosition(const JsonValue &value, JsonCheck &check, const Rand
                         "let its range begin at 0 or above");
         }
         position.advance = static_cast<std::uint64_t>(std::max<std::int64_t>(random->second.value, 0));
+        position.random = true;
         return true;
     };
     const auto advance = [&](const JsonValue &number) {

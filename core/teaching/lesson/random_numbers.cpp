@@ -1,6 +1,9 @@
 #include "core/teaching/lesson/random_numbers.hpp"
 
+#include "core/teaching/markup/text_values.hpp"
+
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace forefront {
@@ -56,14 +59,33 @@ std::int64_t randomNumber(std::uint64_t seed, const RandomRange &range) {
     return range.from + static_cast<std::int64_t>(bits % count);
 }
 
-std::string withNumbers(std::string text, const RandomNumbers &numbers) {
-    for (const auto &[name, number] : numbers) {
-        const std::string word = '{' + name + '}';
-        for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
-            text.replace(at, word.size(), std::to_string(number.value));
-        }
+std::string withNumbers(std::string_view text, const RandomNumbers &numbers) {
+    return withValuesReplaced(text, [&](std::string_view word) -> std::optional<std::string> {
+        const auto number = numbers.find(word);
+        return number == numbers.end() ? std::nullopt : std::optional(std::to_string(number->second.value));
+    });
+}
+
+bool namesNumber(std::string_view text, const RandomNumbers &numbers, bool isFormula) {
+    if (!isFormula) {
+        const std::vector<NamedValue> named = valuesNamed(text);
+        return std::any_of(named.begin(), named.end(),
+                           [&](const NamedValue &value) { return numbers.find(value.word) != numbers.end(); });
     }
-    return text;
+    const auto inWord = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+               static_cast<unsigned char>(c) >= 0x80;
+    };
+    return std::any_of(numbers.begin(), numbers.end(), [&](const RandomNumbers::value_type &number) {
+        const std::string &name = number.first;
+        for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
+            const std::size_t end = at + name.size();
+            if ((at == 0 || !inWord(text[at - 1])) && (end == text.size() || !inWord(text[end]))) {
+                return true;
+            }
+        }
+        return false;
+    });
 }
 
 SeedsToCheck seedsToCheck(const std::vector<RandomRange> &ranges) {

@@ -32,8 +32,10 @@ inline constexpr std::int64_t kMaxLessonSeed = 1'000'000'000;
 
 /// Returns a whole number from `from` to `to`, both included; the same for the same seed, page and name everywhere.
 std::int64_t randomNumber(std::uint64_t seed, const RandomRange &range);
-/// Returns a text in which each {name} of a random number is replaced by that number.
-std::string withNumbers(std::string text, const RandomNumbers &numbers);
+/// Returns a text in which each {name} of a random number, in formulas \value{name}, is replaced by that number.
+std::string withNumbers(std::string_view text, const RandomNumbers &numbers);
+/// Returns true if a text names a random number, as withNumbers() replaces it or, if it is a formula, as a word.
+bool namesNumber(std::string_view text, const RandomNumbers &numbers, bool isFormula);
 
 /// The largest range all of whose numbers are checked.
 inline constexpr std::uint64_t kMaxValues = 64;

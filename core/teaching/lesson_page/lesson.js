@@ -4,6 +4,18 @@
   const lesson = JSON.parse($('lesson').textContent);
   const words = (index) => lesson.words[index];
   const player = $('player');
+  /** Shows a text of the lesson as HTML, with its pictures and links. */
+  const fill = (element, html) => {
+    element.innerHTML = html;
+    element.querySelectorAll('img').forEach((image) => { image.src = lesson.pictures[image.dataset.picture]; });
+    element.querySelectorAll('a').forEach((link) => {
+      link.onclick = (event) => {
+        event.preventDefault();
+        goToPage(Number(link.dataset.page));
+      };
+    });
+    return element;
+  };
   const given = lesson.pages.map(() => []); // the answers to the question of each page, in order: { answer, right }
   const seen = lesson.pages.map(() => false); // whether Show me was asked before a right answer to each question
   let page = 0, shownRun = -1, ready = false, shownAnswer = false;
@@ -16,16 +28,17 @@
 
   /** Returns the document of the player with a run. */
   const playerOf = (run) => '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"></head><body>' +
-    $('player-parts').innerHTML.replace('<!--run-->', () => '<script type="application/json" id="run">' + $('run' + run).textContent + '<' + '/script>') +
+    $('player-parts').innerHTML.replace('<!--style-->', () => '<style>' + $('player-style').textContent + '</style>').replace('<!--run-->', () => '<script type="application/json" id="run">' + $('run' + run).textContent + '<' + '/script>') +
     '</body></html>';
   const tellTheme = () => {
     if (ready) { player.contentWindow.postMessage({ forefront: 'theme', light: document.documentElement.classList.contains('light') }, '*'); }
   };
   const goTo = (at) => {
-    const { view, cells, numbers, bare } = lesson.pages[page];
+    const { view, cells, numbers, bare, colours } = lesson.pages[page];
     if (ready) {
       player.contentWindow.postMessage({ forefront: 'goTo', done: at[0], event: at[1], improve: at[2], follow: view.follow === 1,
-        box: view.box || null, cells: cells === 1, numbers: numbers === 1, bare: bare === 1 && at === lesson.pages[page].at }, '*');
+        box: view.box || null, cells: cells === 1, numbers: numbers === 1, bare: bare === 1 && at === lesson.pages[page].at,
+        values: colours && (colours.tint || at === lesson.pages[page].at) ? colours : null }, '*');
     }
   };
   const showScene = () => {
@@ -59,9 +72,9 @@
 
   const questionNow = () => lesson.pages[page].question;
   const solved = () => given[page].some((answer) => answer.right);
-  const reply = (right, text) => {
+  const reply = (right, html) => {
     $('reply').className = right ? 'right' : 'wrong';
-    $('reply').textContent = text;
+    fill($('reply'), html);
   };
   const answer = (text, right, why, hint) => {
     given[page].push({ answer: text, right });
@@ -106,17 +119,18 @@
     const question = questionNow();
     $('question').hidden = !question;
     if (!question) { return; }
-    $('asked').textContent = question.text;
+    fill($('asked'), question.html ?? question.text);
     $('reply').textContent = $('reply').className = '';
     $('show').hidden = !question.show;
     const answers = $('answers');
     answers.replaceChildren();
     if (question.choices) {
-      question.choices.forEach(({ text, right, hint }, i) => {
-        const choice = button((i + 1) + '.  ' + text, () => {
+      question.choices.forEach(({ text, html, right, hint }, i) => {
+        const choice = button('', () => {
           choice.className = right ? 'right' : 'wrong';
           answer(text, right, question.why, hint);
         });
+        fill(choice, (i + 1) + '.&nbsp; ' + (html ?? text));
         answers.append(choice);
       });
     } else if ('number' in question) {
@@ -147,11 +161,7 @@
     const { title, text, note } = lesson.pages[page];
     $('number').textContent = 'Page ' + (page + 1) + ' of ' + lesson.pages.length;
     $('heading').textContent = title;
-    $('text').replaceChildren(...text.map((paragraph) => {
-      const p = document.createElement('p');
-      p.textContent = paragraph;
-      return p;
-    }));
+    $('text').replaceChildren(...text.map((paragraph) => fill(document.createElement('p'), paragraph)));
     $('note').hidden = !note;
     $('note').textContent = note || '';
     $('previous').disabled = page === 0;
@@ -162,18 +172,17 @@
     showQuestion();
     showScene();
   };
-  const turn = (by) => {
-    const to = page + by;
+  const goToPage = (to) => {
     if (to >= 0 && to < lesson.pages.length) { page = to; showPage(); }
   };
-  $('previous').onclick = () => turn(-1);
-  $('following').onclick = () => turn(1);
+  $('previous').onclick = () => goToPage(page - 1);
+  $('following').onclick = () => goToPage(page + 1);
   addEventListener('keydown', (event) => {
     const choice = Number(event.key);
     const choices = $('answers').querySelectorAll('button');
     if (event.key === 'PageDown' || event.key === 'PageUp') {
       event.preventDefault();
-      turn(event.key === 'PageDown' ? 1 : -1);
+      goToPage(page + (event.key === 'PageDown' ? 1 : -1));
     } else if (event.target.tagName !== 'INPUT' && questionNow() && questionNow().choices && choice >= 1 && choice <= choices.length) {
       choices[choice - 1].click();
     }

@@ -2,6 +2,8 @@
 
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/teaching/lesson_page/lesson_parts.hpp"
+#include "core/teaching/lesson_page/page_colours.hpp"
+#include "core/teaching/lesson_page/text_html.hpp"
 #include "core/teaching/page/player.hpp"
 #include "core/teaching/page/recorded_run.hpp"
 #include "core/teaching/page/run_record.hpp"
@@ -68,7 +70,8 @@ std::vector<bool> detailedOf(const RecordedRun &run, const Lesson &lesson, const
 /// Writes the data of the pages, with the values in their texts and the right answers.
 class LessonData {
   public:
-    LessonData(TextWriter &out, const Progress &progress) : out_(out), progress_(progress) {}
+    LessonData(const Lesson &lesson, TextWriter &out, const Progress &progress)
+        : out_(out), progress_(progress), html_(lesson) {}
 
     /// Writes a page as an object. `number`: the index of its run, which is `run`; -1 and null: it has none. `moments`:
     /// see ShownRun.
@@ -97,9 +100,15 @@ class LessonData {
         };
         const bool bare = page.layers && !shows("front") && !shows("candidates");
         out_ << ",\"cells\":" << (shows("grid") ? 1 : 0) << ",\"numbers\":" << (shows("numbers") ? 1 : 0)
-             << ",\"bare\":" << (bare ? 1 : 0) << ",\"text\":[";
+             << ",\"bare\":" << (bare ? 1 : 0) << ",\"colours\":";
+        if (run_ != nullptr) {
+            writePageColours(out_, page, *run_, *shown);
+        } else {
+            out_ << "null";
+        }
+        out_ << ",\"text\":[";
         for (const std::string &paragraph : page.paragraphs) {
-            out_ << (&paragraph == page.paragraphs.data() ? "" : ",") << scriptString(withValues(paragraph, state));
+            out_ << (&paragraph == page.paragraphs.data() ? "" : ",") << html(paragraph, state);
         }
         out_ << "],\n\"question\":";
         if (page.question) {
@@ -119,10 +128,34 @@ class LessonData {
         out_ << ']';
     }
 
+    /// Writes the pictures that the texts show.
+    void pictures() {
+        out_ << '[';
+        const std::vector<std::string> urls = html_.pictures();
+        for (const std::string &url : urls) {
+            out_ << (&url == urls.data() ? "" : ",\n") << scriptString(url);
+        }
+        out_ << ']';
+    }
+
     /// Returns the warnings about the pages written so far.
     Diagnostics takeWarnings() { return std::move(warnings_); }
 
   private:
+    /// Returns a text as HTML in a string of the script.
+    std::string html(const std::string &text, const LessonState &state) {
+        return scriptString(html_.of(withValues(text, state)));
+    }
+
+    /// Writes a text as it is kept with answers, and as HTML if that differs.
+    void markedText(const std::string &text, const LessonState &state, MarkupKind kind) {
+        const std::string shown = withValues(text, state), marked = html_.of(shown, kind);
+        out_ << "\"text\":" << scriptString(shown);
+        if (marked != shown) {
+            out_ << ",\"html\":" << scriptString(marked);
+        }
+    }
+
     /// Returns the moment of the player after so many steps of the improvement; nothing if it has none. Long
     /// improvements are not recorded whole; their last moment is the end.
     std::optional<std::size_t> momentOf(std::size_t step) const {
@@ -163,10 +196,11 @@ class LessonData {
 
     void question(const LessonQuestion &question, const LessonState &state) {
         const auto *const task = std::get_if<LessonTask>(&question.answer);
-        out_ << "{\"text\":" << scriptString(withValues(question.text, state))
-             << ",\"hint\":" << scriptString(withValues(question.hint, state));
+        out_ << '{';
+        markedText(question.text, state, MarkupKind::All);
+        out_ << ",\"hint\":" << html(question.hint, state);
         if (task == nullptr) {
-            out_ << ",\"why\":" << scriptString(withValues(question.why, state));
+            out_ << ",\"why\":" << html(question.why, state);
         }
         out_ << ",\"show\":";
         if (question.show) {
@@ -177,9 +211,10 @@ class LessonData {
         if (const auto *choices = std::get_if<LessonChoices>(&question.answer)) {
             out_ << ",\"choices\":[";
             for (std::size_t k = 0; k < choices->list.size(); ++k) {
-                out_ << (k == 0 ? "" : ",") << "{\"text\":" << scriptString(withValues(choices->list[k].text, state))
-                     << ",\"right\":" << (isRight(*choices, k, state) ? "true" : "false")
-                     << ",\"hint\":" << scriptString(withValues(hintAfter(question, k), state)) << '}';
+                out_ << (k == 0 ? "" : ",") << '{';
+                markedText(choices->list[k].text, state, MarkupKind::Formulas);
+                out_ << ",\"right\":" << (isRight(*choices, k, state) ? "true" : "false")
+                     << ",\"hint\":" << html(hintAfter(question, k), state) << '}';
             }
             out_ << ']';
         } else if (const auto *number = std::get_if<LessonNumber>(&question.answer)) {
@@ -205,8 +240,8 @@ class LessonData {
     void mistakes(const LessonNumber &number, const LessonState &state) {
         bool first = true;
         for (const KnownMistake &mistake : mistakesOf(number, state)) {
-            out_ << (first ? "[" : ",[") << mistake.number << ',' << mistake.within << ','
-                 << scriptString(withValues(*mistake.hint, state)) << ']';
+            out_ << (first ? "[" : ",[") << mistake.number << ',' << mistake.within << ',' << html(*mistake.hint, state)
+                 << ']';
             first = false;
         }
     }
@@ -233,8 +268,8 @@ class LessonData {
                 const LessonState state{run, chosen};
                 if (isDone(task, state)) {
                     out_ << (first ? "[" : ",[") << done << ',' << (inner ? 1 : 0) << ',' << moment << ','
-                         << (chosen ? static_cast<int>(*chosen) : -1) << ',' << words_.add(withValues(why, state))
-                         << ']';
+                         << (chosen ? static_cast<int>(*chosen) : -1) << ','
+                         << words_.add(html_.of(withValues(why, state))) << ']';
                     first = false;
                 }
             };
@@ -266,6 +301,7 @@ class LessonData {
     LessonRun *run_ = nullptr;
     std::size_t moments_ = 0; ///< of the improvement, that the player has
     WordList words_;
+    TextHtml html_;
     Diagnostics warnings_;
 };
 
@@ -273,12 +309,12 @@ void writeHead(TextWriter &out, const std::string &title) {
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta name=\"generator\" content=\"Forefront\">\n<title>"
-        << htmlText(title) << "</title>\n<style>\n"
-        << playerStyle() << lessonStyle() << "</style>\n</head>\n<body>\n"
+        << htmlText(title) << "</title>\n<style id=\"player-style\">\n"
+        << playerStyle() << "</style>\n<style>\n"
+        << lessonStyle() << "</style>\n</head>\n<body>\n"
         << lessonBody();
-    // The player is a document of its own in a frame; its parts are kept here, inert.
-    out << "<template id=\"player-parts\"><style>\n"
-        << playerStyle() << "</style>\n"
+    // The player is a document of its own in a frame; its parts are kept here, inert. It has the style of this page.
+    out << "<template id=\"player-parts\"><!--style-->\n"
         << playerBody() << "<!--run--><script>\n"
         << playerScript() << "</script></template>\n";
 }
@@ -319,7 +355,7 @@ Result<RunText> runText(const Lesson &lesson, const ShownRun &shown, LessonRun &
 /// Writes the runs that the pages show, each with as many steps of its improvement as there is room for.
 Status writeRuns(const Lesson &lesson, std::vector<ShownRun> &shown, LessonRuns &runs, std::size_t maxImproveBytes,
                  TextWriter &out, const Progress &progress) {
-    constexpr std::size_t kRunBytes = 900'000; // so that pages of long runs stay below a megabyte, if they can
+    constexpr std::size_t kRunBytes = 890'000; // so that pages of long runs stay below a megabyte, if they can
     std::vector<RunText> texts;
     std::size_t bytes = 0;
     for (const ShownRun &each : shown) {
@@ -368,7 +404,7 @@ Status writeLessonPage(const Lesson &lesson, LessonRuns &runs, TextWriter &out, 
     }
     out << "<script type=\"application/json\" id=\"lesson\">\n{\"title\":" << scriptString(lesson.title)
         << ",\"about\":" << scriptString(lesson.about) << ",\"seed\":" << lesson.seed << ",\"pages\":[\n";
-    LessonData data(out, progress);
+    LessonData data(lesson, out, progress);
     for (std::size_t k = 0; k < lesson.pages.size(); ++k) {
         out << (k == 0 ? "" : ",\n");
         if (!lesson.pages[k].document) {
@@ -387,6 +423,8 @@ Status writeLessonPage(const Lesson &lesson, LessonRuns &runs, TextWriter &out, 
     }
     out << "],\n\"words\":";
     data.words();
+    out << ",\n\"pictures\":";
+    data.pictures();
     out << "}\n</script>\n<script>\n" << lessonScript() << "</script>\n</body>\n</html>\n";
     return data.takeWarnings();
 }

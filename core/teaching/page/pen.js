@@ -32,13 +32,17 @@ const penOf = (canvas, camera, colours) => {
     const [x, y] = at(p);
     paint.beginPath(); paint.setLineDash(dash); paint.arc(x, y, radius, 0, 2 * Math.PI); paint.strokeStyle = colour; paint.lineWidth = width; paint.stroke(); paint.setLineDash([]);
   };
-  /** Draws a text on a plate, unless it would cover another one. */
-  const label = (p, dx, dy, text, colour) => {
+  /** Draws a text on a plate, unless it would cover another one. `around`: then it may be elsewhere around its place. */
+  const label = (p, dx, dy, text, colour, around = false) => {
     const [x, y] = at(p);
     paint.font = '12px ' + getComputedStyle(document.body).fontFamily;
-    const width = paint.measureText(text).width;
-    const left = Math.min(Math.max(x + dx, 2), canvas.clientWidth - width - 10), top = Math.min(Math.max(y + dy, 2), canvas.clientHeight - 18);
-    if (taken.some((r) => left < r[2] && left + width + 8 > r[0] && top < r[3] && top + 16 > r[1])) { return; }
+    const width = paint.measureText(text).width, before = -dx - width - 8;
+    const places = [[dx, dy], [before, dy], [dx, dy - 17], [dx, dy + 17], [before, dy - 17], [before, dy + 17]];
+    const found = places.slice(0, around ? places.length : 1)
+      .map(([a, b]) => [Math.min(Math.max(x + a, 2), canvas.clientWidth - width - 10), Math.min(Math.max(y + b, 2), canvas.clientHeight - 18)])
+      .find(([left, top]) => !taken.some((r) => left < r[2] && left + width + 8 > r[0] && top < r[3] && top + 16 > r[1]));
+    if (!found) { return; }
+    const [left, top] = found;
     taken.push([left, top, left + width + 8, top + 16]);
     paint.globalAlpha = .88; paint.fillStyle = colours.popup; paint.fillRect(left, top, width + 8, 16); paint.globalAlpha = 1;
     paint.fillStyle = colour; paint.textBaseline = 'middle'; paint.fillText(text, left + 4, top + 8.5);

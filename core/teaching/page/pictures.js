@@ -111,8 +111,37 @@ const picturesOf = (run, model, pen) => {
         const words = [String(i + 1)];
         if (candidate.does) { words.push(candidate.does); } else if (step >= Step.score) { words.push('score ' + candidate.score.toFixed(2)); }
         if (moment.judged[i] && candidate.verdict !== Verdict.notTried) { words.push(run.verdicts[candidate.verdict]); }
-        label(placeOf(candidate), 11, -8, words.join('  '), inks[i]);
+        label(placeOf(candidate), 11, -8, words.join('  '), inks[i], true);
       });
+    }
+  };
+  const kMap = [[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132], [122, 209, 81], [253, 231, 37]]; // viridis
+  /** Returns the colour of a value in [0, 1], so opaque over the domain. */
+  const mapped = (t, opacity) => {
+    const at = Math.min(Math.max(t, 0), 1) * (kMap.length - 1), k = Math.min(Math.floor(at), kMap.length - 2);
+    const ground = [1, 3, 5].map((i) => parseInt(colours.domain.slice(i, i + 2), 16));
+    const rgb = kMap[k].map((v, i) => v + (at - k) * (kMap[k + 1][i] - v));
+    return 'rgb(' + rgb.map((v, i) => Math.round(ground[i] + opacity * (v - ground[i]))).join(',') + ')';
+  };
+  /** Fills triangles by their values, in thousandths: one for each of them, or one for each node; then each is divided. */
+  const drawValues = ({ nodes, elements, values, tint }, light) => {
+    const colour = (t) => (tint ? mapped(1 - .75 * t / 1000, light ? .45 : .35) : mapped(t / 1000, 1));
+    const fill = (corners, value) => {
+      path(corners, true);
+      paint.fillStyle = paint.strokeStyle = colour(value);
+      paint.lineWidth = .6; paint.fill(); paint.stroke();
+    };
+    const ofElements = values.length === elements.length / 3 && values.length !== nodes.length / 2, parts = tint ? 2 : 6;
+    for (let i = 0; i < elements.length; i += 3) {
+      const [a, b, c] = elements.slice(i, i + 3).map((n) => [nodes[2 * n], nodes[2 * n + 1], ofElements ? values[i / 3] : values[n]]);
+      const mix = (s, t) => a.map((v, k) => v + (s * (b[k] - v) + t * (c[k] - v)) / (ofElements ? 1 : parts));
+      const one = (...corners) => fill(corners, (corners[0][2] + corners[1][2] + corners[2][2]) / 3);
+      for (let s = 0; s < (ofElements ? 1 : parts); ++s) {
+        for (let t = 0; s + t < (ofElements ? 1 : parts); ++t) {
+          one(mix(s, t), mix(s + 1, t), mix(s, t + 1));
+          if (!ofElements && s + t + 1 < parts) { one(mix(s + 1, t), mix(s + 1, t + 1), mix(s, t + 1)); }
+        }
+      }
     }
   };
   /** Draws what a step of the improvement has changed. `nodes`: their places, which may be on their way. */
@@ -129,5 +158,5 @@ const picturesOf = (run, model, pen) => {
       for (const p of places) { pen.ring(p, 6, colour, 2); }
     }
   };
-  return { front: drawFront, moment: drawMoment, step: drawStep };
+  return { front: drawFront, moment: drawMoment, step: drawStep, values: drawValues };
 };

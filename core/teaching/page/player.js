@@ -16,6 +16,7 @@
   const last = advances.length, moments = run.improved ? run.improved.moments : 0;
   const isImproved = () => moments > 0 && position.improve === moments;
   const isAtEnd = () => position.done === last && position.improve === moments;
+  let values = null; // that colour the ground, for the page around: see picturesOf().values
   let bare = false; // the page around wants the mesh alone, until one moves on
   const goTo = (done, event = 0, improve = 0) => {
     const before = position.done === last ? position.improve : -1;
@@ -24,6 +25,7 @@
     position.improve = position.done === last ? Math.max(0, Math.min(moments, improve)) : 0;
     findStep(before + 1 === position.improve && before >= 0);
     bare = false;
+    values = values && values.tint ? values : null; // ρ is the same all along
     follow();
     show();
   };
@@ -163,7 +165,7 @@
   const pen = penOf(canvas, camera, colours), { at, line, label } = pen, picture = picturesOf(run, model, pen);
   const readColours = () => {
     const style = getComputedStyle(document.documentElement);
-    for (const name of ['canvas', 'domain', 'popup', 'text', 'muted', 'bad', 'boundary', 'mesh', 'element', 'front', 'base', 'core', 'accepted', 'candidate', 'visited', 'accent', 'faint', 'inset', 'warn']) {
+    for (const name of ['canvas', 'domain', 'popup', 'text', 'muted', 'bad', 'boundary', 'mesh', 'element', 'front', 'base', 'core', 'accepted', 'candidate', 'visited', 'accent', 'faint', 'inset', 'warn', 'edge']) {
       colours[name] = style.getPropertyValue('--' + name).trim();
     }
   };
@@ -173,7 +175,9 @@
     pen.polygons({ list: elements, corners: 3, count: elements.length / 3 }, run.nodes, colours.domain, colours.domain);
     const moment = momentNow();
     const mesh = meshNow();
-    pen.polygons(mesh ? mesh.cells : cellsAt(position.done), (mesh || run).nodes, colours.element, colours.mesh);
+    if (values) { picture.values(values, document.documentElement.classList.contains('light')); }
+    pen.polygons(mesh ? mesh.cells : cellsAt(position.done), (mesh || run).nodes, values ? 'transparent' : colours.element, values ? colours.edge : colours.mesh);
+    $('values').hidden = !values;
     const { edges, nodes } = mesh || run;
     for (let i = 0; i < edges.length; i += 2) {
       line([0, 1].map((k) => nodes.slice(2 * edges[i + k], 2 * edges[i + k] + 2)), colours.boundary, 1.6);
@@ -377,8 +381,8 @@
 
   // ---- The page around ----
 
-  /** { forefront: 'goTo', done, event, improve, follow, box, cells, numbers, bare }: box is [x0, y0, x1, y1], or null for the whole
-   *  domain; bare: the mesh alone. */
+  /** { forefront: 'goTo', done, event, improve, follow, box, cells, numbers, bare, values }: box is [x0, y0, x1, y1], or null for the
+   *  whole domain; bare: the mesh alone; values: those that colour the ground, or null. */
   const obey = (wish) => {
     pause();
     following = wish.follow;
@@ -387,6 +391,9 @@
     press('numbers', wish.numbers);
     goTo(wish.done, wish.event, wish.improve);
     bare = wish.bare;
+    values = wish.values;
+    $('values').classList.toggle('tint', Boolean(values && values.tint));
+    if (values) { ['name', 'from', 'to'].forEach((part) => { $('values').querySelector('.' + part).textContent = values[part]; }); }
     draw();
     if (!following) {
       const [x0, y0, x1, y1] = wish.box || [0, 0, 0, 0];

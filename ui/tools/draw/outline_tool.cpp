@@ -1,5 +1,6 @@
 #include "ui/tools/draw/outline_tool.hpp"
 
+#include "core/drawing/names/name_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace forefront {
@@ -151,8 +153,12 @@ void OutlineTool::take(Shell &context) {
     }
     const std::shared_ptr<const Document> before = context.document.current();
     std::vector<Shape> shapes = boundariesAlong(*fit, planeOfPixels(*placed, *seed_->picture));
-    for (Shape &shape : shapes) {
-        shape.tag = state_->tagOfNext(ShapeUse::Boundary, *before);
+    Document grown = *before; // with the islands so far, each of which gets a tag of its own unless one is chosen
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        shapes[k].tag = k == 0                ? state_->tagOfDrawn(shapes[k], grown)
+                        : state_->boundaryTag ? *state_->boundaryTag
+                                              : freeBoundaryTag(grown);
+        grown.shapes.push_back(std::make_shared<const Shape>(shapes[k]));
     }
     const std::size_t count = shapes.size();
     if (context.applyCommand(addShapes(*before, std::move(shapes)), "Trace by colour")) {

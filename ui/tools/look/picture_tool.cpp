@@ -20,15 +20,26 @@ namespace forefront {
 
 namespace {
 
-/// Draws a labelled field for a length, or for an angle. Returns true when it was changed.
+constexpr float kPlaceField = 82.0F; ///< width in design pixels: a coordinate of seven digits
+
+/// Draws a field for a length, or for an angle, with a short label. Returns true when it was changed.
 bool drawPlaceField(Shell &context, ui::Flow &flow, const char *name, const char *label, double &value,
                     const char *tooltip, bool angle = false) {
     flow.item(name);
-    flow.label(label);
+    flow.name(label);
     const LengthUnit unit = angle ? LengthUnit::None : context.document.current()->unit;
-    const bool changed = ui::inputNumber(context, name, value, 66.0F, {}, unit);
+    const bool changed = ui::inputNumber(context, name, value, kPlaceField, {}, unit);
     ui::tooltip(context, tooltip);
     return changed;
+}
+
+/// Fits the picture into the view, unless all of it is there: coordinates may have taken it anywhere.
+void showWhole(Shell &context) {
+    const Box2 box = boundsOf(*context.document.current()->picture), visible = context.view.camera.visible();
+    if (!visible.contains(box.min) || !visible.contains(box.max)) {
+        context.view.fit(box);
+        context.animate();
+    }
 }
 
 } // namespace
@@ -194,9 +205,9 @@ void PictureTool::calibrate(Shell &context, double distance) const {
 
 void PictureTool::drawPlace(Shell &context, ui::Flow &flow) {
     BackgroundPicture picture = *context.document.current()->picture;
-    bool moved = drawPlaceField(context, flow, "options/picture/x", "Left", picture.corner.x,
+    bool moved = drawPlaceField(context, flow, "options/picture/x", "x", picture.corner.x,
                                 "x of the lower left corner of the picture");
-    moved = drawPlaceField(context, flow, "options/picture/y", "Bottom", picture.corner.y,
+    moved = drawPlaceField(context, flow, "options/picture/y", "y", picture.corner.y,
                            "y of the lower left corner of the picture") ||
             moved;
     double width = picture.size.x;
@@ -239,15 +250,16 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
         ui::tooltip(context, "The drawing and its element sizes keep their place on the picture");
     }
     Vec2 wanted = first;
-    bool moved = drawPlaceField(context, flow, "options/picture/x1", "First point x", wanted.x,
+    bool moved = drawPlaceField(context, flow, "options/picture/x1", "x1", wanted.x,
                                 "Where the first point is in the drawing: x");
-    moved = drawPlaceField(context, flow, "options/picture/y1", "y", wanted.y,
+    moved = drawPlaceField(context, flow, "options/picture/y1", "y1", wanted.y,
                            "Where the first point is in the drawing: y") ||
             moved;
     if (moved) {
         picture.corner += wanted - first;
         firstPlaced_ = true;
         change(context, picture, "Move background picture");
+        showWhole(context);
     }
     drawSecondPlace(context, flow);
 }
@@ -257,10 +269,10 @@ void PictureTool::drawSecondPlace(Shell &context, ui::Flow &flow) {
     const BackgroundPicture picture = *context.document.current()->picture;
     const Vec2 first = place(picture, 0);
     Vec2 second = place(picture, 1);
-    bool moved = drawPlaceField(context, flow, "options/picture/x2", "Second point: x", second.x,
+    bool moved = drawPlaceField(context, flow, "options/picture/x2", "x2", second.x,
                                 "Where the second point is in the drawing: x. The picture is turned and scaled about "
                                 "the first point; the drawing stays");
-    moved = drawPlaceField(context, flow, "options/picture/y2", "y", second.y,
+    moved = drawPlaceField(context, flow, "options/picture/y2", "y2", second.y,
                            "Where the second point is in the drawing: y. The picture is turned and scaled about the "
                            "first point; the drawing stays") ||
             moved;
@@ -270,6 +282,7 @@ void PictureTool::drawSecondPlace(Shell &context, ui::Flow &flow) {
     } else if (moved) {
         firstPlaced_ = true;
         change(context, placedBy(picture, points_[0], points_[1], first, second), "Place background picture");
+        showWhole(context);
     }
 }
 
@@ -301,9 +314,6 @@ void PictureTool::drawLook(Shell &context, ui::Flow &flow) {
         change(context, picture, picture.locked ? "Lock background picture" : "Unlock background picture");
     }
     ui::tooltip(context, "A locked picture is neither moved nor scaled");
-    if (mode_ == PictureMode::Calibrate && points_.size() == 2) {
-        return; // the row is full of what belongs to the points
-    }
     flow.item("picture/replace");
     if (ui::button(context, "options/picture/replace", "Replace\xe2\x80\xa6")) {
         context.actions.run("file.addPicture", context);

@@ -1,6 +1,7 @@
 #include "core/drawing/commands/inferred_constraints.hpp"
 #include "core/drawing/commands/join_segments.hpp"
 #include "core/drawing/constraints/constraint_commands.hpp"
+#include "core/drawing/constraints/held_numbers.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/picking/dragged_parts.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -80,6 +82,7 @@ void SelectTool::beginMove(Shell &context) {
     startJoints_ = joints(context);
     startConstraints_.reset();
     aloneConstraints_.reset();
+    heldBy_.reset();
     if (grabbed_.kind == Hit::Kind::Control) {
         targets_ = aloneTargets_ = PickIndex::Filter([this](const Shape &shape) { return !moving_.touches(shape.id); });
     } else {
@@ -153,7 +156,9 @@ void SelectTool::updateMove(Shell &context) {
     Result<Document> next = moved(snapped_.at);
     fault_.clear();
     if (next && !start_->constraints.empty()) {
-        next = constrained(*next);
+        const Document wanted = *std::move(next);
+        next = constrained(wanted);
+        showWhereHeld(wanted, *next);
     }
     if (next) {
         context.applyCommand(std::move(next), moveLabel(), stroke_);
@@ -164,6 +169,30 @@ void SelectTool::updateMove(Shell &context) {
     if (context.document.current() != start_) {
         context.document.abandonStroke(stroke_); // the result depends on where the pointer is, not on its way
     }
+}
+
+void SelectTool::showWhereHeld(const Document &wanted, const Document &held) {
+    const auto placeIn = [this](const Document &document) {
+        const Shape *const shape = findShape(document, grabbed_.node.shape);
+        return handlesOf(*shape)[grabbed_.node.node];
+    };
+    if (grabbed_.kind != Hit::Kind::Node || placeIn(wanted) == placeIn(held)) {
+        return;
+    }
+    constexpr double kNear = 1e-9; // of the drawing
+    const double near = kNear * boundsOf(*start_).diagonal();
+    if (distance(placeIn(wanted), placeIn(held)) <= near) {
+        return;
+    }
+    snapped_ = {placeIn(held), SnapKind::None};
+    if (distance(placeIn(held), placeIn(*start_)) > near) {
+        return; // it goes as far as it can, which tells enough
+    }
+    if (!heldBy_) { // found once: the drag stays smooth
+        const std::optional<HeldNumbers> numbers = heldNumbers(*start_, wanted, held);
+        heldBy_ = numbers && !numbers->names.empty() ? numbers->names : "its sketch constraints";
+    }
+    fault_ = "held by " + *heldBy_;
 }
 
 void SelectTool::addRelations(Shell &context) {
@@ -270,7 +299,9 @@ Document SelectTool::constrained(const Document &moved) {
     const bool leaves = alone_ && grabbed_.kind != Hit::Kind::Control;
     std::optional<ConstraintDrag> &drag = leaves ? aloneConstraints_ : startConstraints_;
     if (!drag) {
-        drag.emplace(start_, leaves ? nodesMovedWith(*start_, moving_) : std::set<NodeRef>());
+        const bool control = grabbed_.kind == Hit::Kind::Control;
+        const std::set<NodeRef> nodes = control ? std::set<NodeRef>() : nodesMovedWith(*start_, moving_);
+        drag.emplace(start_, leaves ? nodes : std::set<NodeRef>(), nodes);
     }
     return drag->carry(moved);
 }

@@ -34,6 +34,7 @@ void SelectTool::endDrag() {
     startJoints_.reset();
     startConstraints_.reset();
     aloneConstraints_.reset();
+    heldBy_.reset();
 }
 
 void SelectTool::deactivate(Shell &context) {
@@ -277,6 +278,8 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
         selectInside(event.place, context);
     } else if (mode_ == Mode::Guiding) {
         guide_.finish(context, event.pixel);
+    } else if (mode_ == Mode::Transforming) {
+        transform_.finish(context);
     } else if (mode_ == Mode::Moving) {
         joinMoved(context);
         addRelations(context);

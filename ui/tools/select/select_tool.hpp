@@ -110,6 +110,9 @@ class SelectTool final : public Tool {
     void endDrag();
     /// Applies the constraints of the document where the drag began to a step of it.
     Document constrained(const Document &moved);
+    /// Where constraints hold the dragged node elsewhere than the pointer has it, shows that place instead of the snap
+    /// target, and what holds a node that does not move at all.
+    void showWhereHeld(const Document &wanted, const Document &held);
     std::string moveLabel() const;
     void drawHandles(CanvasPainter &painter, Shell &context) const;
     /// Returns for each handle of a shape whether it is marked as joined; those after the list are not.
@@ -148,6 +151,7 @@ class SelectTool final : public Tool {
     PickIndex::Filter aloneTargets_; ///< of moving_ alone
     std::vector<Vec2> linesTo_;      ///< see linesToNode()
     std::string stroke_, nudgeStroke_;
+    std::optional<std::string> heldBy_;                        ///< what holds the dragged node, once it was asked for
     std::string fault_;                                        ///< why what is dragged cannot go where the pointer is
     mutable std::map<std::uint32_t, std::vector<bool>> marks_; ///< by shape, of marked_
     mutable std::shared_ptr<const Joints> marked_, joints_;

@@ -4,6 +4,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/announce_changes.hpp"
 #include "ui/workspace/snap_mark.hpp"
 
 #include <algorithm>
@@ -121,6 +122,13 @@ void TransformHandles::end() {
     entry_.clear();
 }
 
+void TransformHandles::finish(Shell &context) {
+    if (active()) {
+        announceChangedDimensions(context, *start_);
+    }
+    end();
+}
+
 void TransformHandles::drag(const CanvasEvent &event, Shell &context) {
     if (!active()) {
         return; // cancelled while the button is still down
@@ -202,7 +210,7 @@ bool TransformHandles::typed(const CanvasEvent &event, Shell &context) {
         update(context);
     }
     if (answer == NumericEntry::Answer::Place) {
-        end();
+        finish(context);
     }
     return true; // no shortcut runs during a drag
 }

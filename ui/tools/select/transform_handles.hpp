@@ -40,6 +40,8 @@ class TransformHandles {
     /// Handles typed numbers and Esc during a drag. Returns true if the event was used.
     bool typed(const CanvasEvent &event, Shell &context);
     void end();
+    /// Ends the drag and names the dimensions that it has changed.
+    void finish(Shell &context);
 
     /// Returns the places of the handles that are shown.
     std::vector<Vec2> places(const Shell &context) const;

@@ -53,6 +53,19 @@ void showField(Judgement &judgement) {
     judgement.histogram = histogramOf(judgement.values, summary.minimum, to, false, kBins);
 }
 
+/// Evaluates the expression of a request. One that has no values on this mesh leaves the colours of α.
+void addFormula(JudgeRequest &of, const Judgement &earlier) {
+    const bool same = earlier.of.mesh == of.mesh && earlier.of.formula == of.formula;
+    if (same && earlier.of.fieldValues) {
+        of.fieldValues = earlier.of.fieldValues;
+    } else if (Result<std::vector<double>> values = coloursOn(of.formula, of.mesh->mesh, {})) {
+        of.fieldValues = std::make_shared<const std::vector<double>>(*std::move(values));
+    } else {
+        of.measure = Measure::ShapeFactor;
+        of.field.clear();
+    }
+}
+
 /// Measures the values; `judgement` has its edges.
 void measureInto(Judgement &judgement) {
     static const MeshEdges kNoEdges;
@@ -78,6 +91,9 @@ std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const 
     judgement->of = request;
     if (!request.mesh) {
         return judgement;
+    }
+    if (request.formula.any()) {
+        addFormula(judgement->of, earlier);
     }
     const MeshView mesh = request.mesh->view();
     const bool same = earlier.of.mesh == request.mesh;

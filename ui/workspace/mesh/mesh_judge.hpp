@@ -6,6 +6,7 @@
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/session/snapshot.hpp"
+#include "core/teaching/lesson/lesson_colours.hpp"
 #include "ui/background/latest.hpp"
 #include "ui/style/colour_map.hpp"
 
@@ -25,6 +26,7 @@ struct JudgeRequest {
     MeshPart fieldPart = MeshPart::Nodes;                   ///< that has `fieldValues`: nodes or elements
     std::string field;                                      ///< name of `fieldValues`; empty: none
     std::shared_ptr<const std::vector<double>> fieldValues; ///< values to show instead; null: none
+    LessonColours formula{}; ///< whose values become `fieldValues` of the answer; empty: none
     MeshLimits limits;
     bool verify = false;  ///< also check the mesh for faults
     bool parts = false;   ///< also build the tree that finds the parts at a position

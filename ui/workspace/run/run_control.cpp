@@ -124,12 +124,29 @@ Diagnostics straightEdgesOf(const SessionSnapshot &s) {
              .at = s.order->straight.front().at}};
 }
 
+/// Returns one note on all elements of second order whose Jacobian determinant varies much.
+Diagnostics unevenElementsOf(const SessionSnapshot &s) {
+    if (!s.order || s.order->uneven.empty()) {
+        return {};
+    }
+    const std::size_t count = s.order->uneven.size();
+    return {{.severity = Severity::Note,
+             .code = "uneven-element",
+             .message = ui::format("the Jacobian determinant falls below %g of its maximum in ", kReportedUniformity) +
+                        (count == 1 ? "1 element" : ui::count(count) + " elements") +
+                        ui::format("; the least ratio is %.3g", s.order->uneven.front().ratio),
+             .advice = "choose smaller elements there, unless a sharp corner is the reason",
+             .at = s.order->uneven.front().at}};
+}
+
 /// Returns the rules of the specified spacing, the curves that the mesh does not follow, and the places with
 /// smaller angles than the least one.
 Diagnostics notesOf(const SessionSnapshot &s) {
     Diagnostics notes = s.spacing ? s.spacing->notes() : Diagnostics();
-    for (Diagnostic &note : straightEdgesOf(s)) {
-        notes.push_back(std::move(note));
+    for (const auto &notesOn : {straightEdgesOf, unevenElementsOf}) {
+        for (Diagnostic &note : notesOn(s)) {
+            notes.push_back(std::move(note));
+        }
     }
     for (Diagnostic &note : s.leastAngle ? forcedAngles(*s.leastAngle) : Diagnostics()) {
         notes.push_back(std::move(note));

@@ -78,7 +78,9 @@ struct KeptDrawing {
 /// The answers of the learner to a lesson.
 struct LearnerAnswers {
     LessonAnswers given;
-    bool saved = false; ///< as a file of the learner
+    bool saved = false;     ///< as a file of the learner
+    LessonAnswers kept{};   ///< as they were when their file was read or written last
+    std::string keptText{}; ///< of that file; empty: there was none
 };
 
 /// The pane of lessons: the list of lessons, or the one being read.

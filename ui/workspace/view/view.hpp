@@ -3,6 +3,7 @@
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/session/snapshot.hpp"
+#include "core/teaching/lesson/lesson_colours.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/style/measure_colours.hpp"
 
@@ -32,6 +33,7 @@ struct ColourChoice {
     Measure measure = Measure::ShapeFactor;
     MeshPart fieldPart = MeshPart::Nodes; ///< that has the values of `field`: nodes or elements
     std::string field;                    ///< values of the file shown instead of the measure; empty: none
+    LessonColours formula{};              ///< that a page of a lesson shows instead of both; empty: none
     QualityScale scale = QualityScale::Alarm;
     bool fitRange = false;                   ///< the range of the colours fits the mesh; false: the fixed one, if any
     std::optional<ColourRange> measureRange; ///< of the colours of the measure, set by the user

@@ -4,6 +4,7 @@
 #include "core/engine/base/vec2.hpp"
 #include "core/engine/domain/segment_elements.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -44,6 +45,18 @@ struct RegionSize {
     friend bool operator==(const RegionSize &, const RegionSize &) = default;
 };
 
+/// The regions whose elements are quadrilaterals, by tag: at the same spacing, these have more than twice the area of
+/// triangles.
+struct QuadRegions {
+    bool byDefault = false;             ///< regions that are not listed have quadrilaterals
+    std::vector<std::int32_t> others{}; ///< tags of regions where it is the other way
+
+    bool has(std::int32_t tag) const {
+        return (std::find(others.begin(), others.end(), tag) != others.end()) != byDefault;
+    }
+    friend bool operator==(const QuadRegions &, const QuadRegions &) = default;
+};
+
 /// The sizes that belong to places of one domain, as opposed to rules that hold for any.
 ///
 /// Nodes and regions are addressed by their places, which validation, repair and reordering keep, so that these sizes
@@ -53,6 +66,7 @@ struct RegionSize {
 struct PlacedSizes {
     std::vector<NodeSize> nodes;
     std::vector<RegionSize> regions;
+    QuadRegions quads; ///< where a maximum area is one of quadrilaterals; runs set it by the shapes of their elements
     /// Number of elements along the whole line or curve that a segment is a part of, by index into Domain::segments; 0:
     /// as the spacing asks. Empty: 0 for all. Takes precedence over the spacing and the tolerance of curves.
     std::vector<std::uint32_t> elements;

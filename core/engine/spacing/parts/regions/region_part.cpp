@@ -9,8 +9,8 @@
 namespace forefront {
 namespace {
 
-/// Part of the maximum area that the equilateral triangle of the spacing has; see spacingForArea().
-constexpr double kAreaShare = 0.55;
+/// Parts of the maximum area that the equilateral triangle and the square of the spacing have; see spacingForArea().
+constexpr double kTriangleShare = 0.55, kQuadShare = 0.48;
 
 /// Returns the height of the segment from a to b (a.x < b.x) at x; exact at a.
 double heightAt(Vec2 a, Vec2 b, double x) {
@@ -33,8 +33,8 @@ bool limitsSpacing(const RegionSize &region) {
 
 } // namespace
 
-double spacingForArea(double maxArea) {
-    return std::sqrt(kAreaShare * maxArea * 4.0 / std::sqrt(3.0));
+double spacingForArea(double maxArea, bool quads) {
+    return std::sqrt(quads ? kQuadShare * maxArea : kTriangleShare * maxArea * 4.0 / std::sqrt(3.0));
 }
 
 double largestRegionSize(std::span<const RegionSize> regions) {
@@ -70,8 +70,10 @@ std::vector<std::string> namesOf(std::span<const RegionSize> regions, const Doma
 }
 
 /// Collects the limits of the faces from the sizes in them. Returns the limit of each face, or kNoIndex.
-std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionSize> regions,
-                                                  std::span<const std::uint32_t> faceOfRegion, std::size_t faces) {
+std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionSize> regions, const DomainFaces &found,
+                                                  const QuadRegions &quads) {
+    const std::vector<std::uint32_t> faceOfRegion = facesOfPlaces(found);
+    const std::size_t faces = found.faces.count;
     std::vector<Limit> limitOfFace(faces);
     for (std::uint32_t r = 0; r < regions.size(); ++r) {
         const RegionSize &region = regions[r];
@@ -79,8 +81,9 @@ std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionSize> re
             continue;
         }
         Limit &limit = limitOfFace[faceOfRegion[r]];
-        if (region.maxArea > 0.0 && spacingForArea(region.maxArea) < limit.area.size) {
-            limit.area = {spacingForArea(region.maxArea), region.maxArea, limit.area.growth, r};
+        const double forArea = spacingForArea(region.maxArea, quads.has(found.labels.tag[faceOfRegion[r]]));
+        if (region.maxArea > 0.0 && forArea < limit.area.size) {
+            limit.area = {forArea, region.maxArea, limit.area.growth, r};
         }
         if (region.size > 0.0 && region.size < limit.size.size) {
             limit.size = {region.size, region.size, region.growth, r};
@@ -100,8 +103,8 @@ std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionSize> re
     return limitOf;
 }
 
-std::optional<RegionPart> RegionPart::build(std::span<const RegionSize> regions, const LazyFaces &lazy,
-                                            double minimum) {
+std::optional<RegionPart> RegionPart::build(std::span<const RegionSize> regions, const LazyFaces &lazy, double minimum,
+                                            const QuadRegions &quads) {
     if (std::none_of(regions.begin(), regions.end(), limitsSpacing)) {
         return std::nullopt;
     }
@@ -113,7 +116,7 @@ std::optional<RegionPart> RegionPart::build(std::span<const RegionSize> regions,
     FOREFRONT_ASSERT(graph.place.size() == regions.size());
     RegionPart part;
     part.raised_ = minimum;
-    const std::vector<std::uint32_t> limitOf = part.takeLimits(regions, facesOfPlaces(*found), faces.count);
+    const std::vector<std::uint32_t> limitOf = part.takeLimits(regions, *found, quads);
     std::vector<Box2> boxes;
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
         Wall wall{graph.points[graph.edges[e].a], graph.points[graph.edges[e].b], limitOf[faces.left[e]],

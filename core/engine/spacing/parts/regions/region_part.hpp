@@ -16,9 +16,10 @@
 namespace forefront {
 
 /// Returns the spacing that aims at a maximum area: the side of an equilateral triangle of 0.55 times that area, since
-/// the largest triangles of a mesh have up to about 1.85 times the area that the spacing implies. Where shapes are
-/// irregular, single triangles may exceed it by up to an eighth; largeElements() tells which.
-double spacingForArea(double maxArea);
+/// the largest triangles of a mesh have up to about 1.85 times the area that the spacing implies; for quadrilaterals,
+/// the side of a square of 0.48 times that area. Where shapes are irregular, single elements may exceed it by up to an
+/// eighth; largeElements() tells which.
+double spacingForArea(double maxArea, bool quads = false);
 
 /// Returns the largest size that a region has or that its maximum area implies; 0 if none has one.
 double largestRegionSize(std::span<const RegionSize> regions);
@@ -35,7 +36,8 @@ class RegionPart {
   public:
     /// Returns the part, or std::nullopt if no face has a size or a maximum area, or if segments cross so that there
     /// are no faces. Spacings are raised to `minimum`. `faces` must know the places of the regions.
-    static std::optional<RegionPart> build(std::span<const RegionSize> regions, const LazyFaces &faces, double minimum);
+    static std::optional<RegionPart> build(std::span<const RegionSize> regions, const LazyFaces &faces, double minimum,
+                                           const QuadRegions &quads = {});
 
     /// Returns the spacing of the face that contains p, which is infinite for faces without a rule unless limitOthers()
     /// was called.
@@ -79,8 +81,8 @@ class RegionPart {
         Rule size, area;
         double least = 0.0; ///< the smaller spacing of the two, raised to the minimum
     };
-    std::vector<std::uint32_t> takeLimits(std::span<const RegionSize> regions,
-                                          std::span<const std::uint32_t> faceOfRegion, std::size_t faces);
+    std::vector<std::uint32_t> takeLimits(std::span<const RegionSize> regions, const DomainFaces &found,
+                                          const QuadRegions &quads);
     /// Describes a rule; `size`: it is a size, not an area.
     SpacingRunnerUp described(const Rule &rule, bool size, const SiteWords &words) const;
     /// An edge between faces of different limits, directed to the right (increasing x) unless it is vertical.
