@@ -333,7 +333,9 @@ TEST_CASE("Checks: the fix of a broken limit says what it changes, and is one un
     MeshedSquare driver;
     driver.showPanel("checks");
     driver.fill("checks/max-length", "0.6");
+    const auto centreOf = [&](const char *name) { return driver.context().widgets.find(name)->rect.centre(); };
     REQUIRE(driver.has("checks/max-length/fix"));
+    driver.scroll(centreOf("checks/max-length"), -4.0); // the fix is below the visible part of the panel
     driver.click("checks/max-length/fix");
     CHECK(driver.document().spacing.maximum == doctest::Approx(0.54));
     CHECK(driver.undoLabel() == "Fix maximum edge length");

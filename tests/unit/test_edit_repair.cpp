@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstddef>
 
 using namespace forefront;
 using namespace forefront::edit_test;
@@ -48,12 +49,22 @@ TEST_CASE("repairDrawing: shapes that it does not change stay the same objects")
     CHECK(result.document.boundaryNames == document.boundaryNames);
 }
 
-TEST_CASE(
-    "repairDrawing: neighbours that share a part of a side become one outline with a constraint between them, and "
-    "points outside are dropped") {
+TEST_CASE("repairDrawing: neighbours that share a part of a side stay as they are, and points outside are dropped") {
     const Document document = documentOf({square({0, 0}, 2), square({2, 1}, 2), square({9, 9}, 1),
                                           makeShape(ShapeKind::Point, {{7, 7}}, ShapeUse::Constraint),
                                           makeShape(ShapeKind::Point, {{1, 1}}, ShapeUse::Boundary)});
+    const RepairedDrawing result = repaired(document);
+    CHECK(result.left.empty());
+    REQUIRE(result.document.shapes.size() == 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(result.document.shapes[k] == document.shapes[k]);
+    }
+}
+
+TEST_CASE("repairDrawing: neighbours whose sizes along a part of a side differ become one outline with a constraint") {
+    Shape fine = square({2, 1}, 2);
+    fine.segmentSizes[3].size = 0.1; // along the common part, where the other square has its own spacing
+    const Document document = documentOf({square({0, 0}, 2), fine, square({9, 9}, 1)});
     const RepairedDrawing result = repaired(document);
     CHECK(result.left.empty());
     REQUIRE(result.document.shapes.size() == 3);
