@@ -473,7 +473,7 @@ class Lessons(unittest.TestCase):
         self.window.click("#answers button:nth-child(1)")
         self.assertEqual(self.window.text("#reply"), "back")
         answers = self.saved()
-        self.assertEqual(answers["pages"][1]["answers"][0]["text"], "$\\frac{1}{2}$")
+        self.assertEqual(answers["pages"][1]["answers"][0]["answer"], "$\\frac{1}{2}$")
         (folder / "answers.json").write_text(json.dumps(answers))
         checked = subprocess.run([PROGRAM, "lesson", lesson, "--answers", folder / "answers.json"], capture_output=True, text=True)
         self.assertEqual(checked.returncode, 0, checked.stderr)

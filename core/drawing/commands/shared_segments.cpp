@@ -172,7 +172,9 @@ Result<Document> deleteUnlessJoined(const JointIndex &index, const Selection &se
             gone[ref.shape].push_back(ref.node);
         }
     }
-    for (const auto &[id, nodes] : gone) {
+    for (const auto &entry : gone) {
+        const std::uint32_t id = entry.first;
+        const std::vector<std::uint32_t> &nodes = entry.second;
         const Shape *const shape = findShape(document, id);
         const std::vector<Vec2> places = shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>();
         if (nodes.size() >= places.size()) {
