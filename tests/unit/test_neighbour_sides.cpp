@@ -100,6 +100,19 @@ TEST_CASE("Neighbour sides: outlines of regions share sides with each other and 
     CHECK(meshedArea(document) == doctest::Approx(100.0));
 }
 
+TEST_CASE("Neighbour sides: a line with a crack, a strip or layers is not taken for another one") {
+    Shape region = square({0, 2}, 4, ShapeUse::Constraint);
+    region.tag = 7;
+    Document document = documentOf({square({0, 0}, 10), region});
+    CHECK_FALSE(isRefused(document));
+    document.cracks = {7};
+    CHECK(isRefused(document));
+    document.cracks = {1};
+    CHECK_FALSE(isRefused(document));
+    document.layers = {{.tag = 7}};
+    CHECK(isRefused(document));
+}
+
 TEST_CASE("Neighbour sides: arcs and Bezier curves that two shapes have drawn are one line, also in part") {
     const auto withCurve = [](std::vector<Vec2> nodes, std::size_t segment, const Curve &curve) {
         Shape shape = makeShape(ShapeKind::Polygon, nodes);

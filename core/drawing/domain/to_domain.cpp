@@ -229,7 +229,7 @@ class DocumentDomain {
         std::vector<bool> dropped;
         std::vector<std::uint32_t> inner; // nodes of curves that are dropped
         for (const NeighbourSide &side : neighbourSides(domain_, loops_)) {
-            if (!haveSameSizes(side.kept, side.dropped)) {
+            if (!haveSameSizes(side.kept, side.dropped) || losesRole(side.kept, side.dropped)) {
                 continue;
             }
             dropped.resize(domain_.segments.size(), false);
@@ -310,6 +310,22 @@ class DocumentDomain {
         }
         const auto own = shape.segmentSizes.find(parts_.at(number)[part]);
         return own != shape.segmentSizes.end() ? own->second.bias : ElementBias{};
+    }
+
+    /// Returns true if a line has layers, a periodic partner, a crack or a strip by its tag, and the line that would
+    /// take its place has another tag.
+    bool losesRole(SegmentRun kept, SegmentRun dropped) const {
+        const std::int32_t tag = domain_.segments[dropped.first].tag;
+        const auto ofTag = [tag](const auto &spec) { return spec.tag == tag; };
+        const auto &layers = document_.layers;
+        const auto &periodic = document_.periodic;
+        const auto &cracks = document_.cracks;
+        const auto &strips = document_.strips;
+        return tag != domain_.segments[kept.first].tag &&
+               (std::any_of(layers.begin(), layers.end(), ofTag) || std::any_of(strips.begin(), strips.end(), ofTag) ||
+                std::find(cracks.begin(), cracks.end(), tag) != cracks.end() ||
+                std::any_of(periodic.begin(), periodic.end(),
+                            [tag](const PeriodicSpec &spec) { return spec.from == tag || spec.to == tag; }));
     }
 
     /// Returns true if the same sizes and numbers of elements are given along two lines. Else neither can do for both.
