@@ -36,7 +36,8 @@ void dropChangedLengths(const Document &before, Document &next, std::uint32_t sh
     const Outline was = outlineOf(*old);
     std::vector<Outline> now;
     for (const auto &each : next.shapes) {
-        if (each->id == shape || findShape(before, each->id) == nullptr) { // also the second part of a path
+        const bool isNew = findShape(before, each->id) == nullptr; // as is the second part that trimming may leave
+        if (each->id == shape || isNew) {
             now.push_back(outlineOf(*each));
         }
     }

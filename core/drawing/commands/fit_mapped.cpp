@@ -27,7 +27,7 @@ bool crosses(const SketchConstraint &constraint, const Shapes &shapes) {
     return inside > 0 && static_cast<std::size_t>(inside) < constraint.parts.size();
 }
 
-/// Returns true if some shapes in one document are those of another one, all moved by the same vector.
+/// Returns true if the given shapes differ between two documents by one common translation.
 bool areMoved(const Document &from, const Document &to, const Shapes &shapes) {
     constexpr double kNear = 1e-7;
     const double near = kNear * boundsOf(from).diagonal();

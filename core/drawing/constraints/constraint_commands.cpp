@@ -120,7 +120,7 @@ Document with(Document document, SketchConstraint constraint) {
     return document;
 }
 
-/// Adds the ids of the constraints that a fault names, without those of joints.
+/// Adds the ids of the constraints that a fault names; joints have none.
 Diagnostics naming(Diagnostics faults, const DocumentSketch &sketch, const std::set<std::uint32_t> &ids) {
     std::copy_if(ids.begin(), ids.end(), std::back_inserter(faults.front().ids),
                  [&](std::uint32_t id) { return id < sketch.jointId(0); });

@@ -22,7 +22,7 @@ struct JointPlace {
 
 class JointDivision {
   public:
-    JointDivision(Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
+    JointDivision(const Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
                   std::span<const std::uint32_t> elements, const std::vector<bool> &whole)
         : domain_(domain), nodes_(nodes), shapes_(shapes), elements_(elements), whole_(whole),
           tolerance_(kOnSegment * domain.bounds().diagonal()) {}
@@ -81,28 +81,25 @@ class JointDivision {
         }
     }
 
-    DividedSegments divide() {
+    DividedSegments divide() const {
         DividedSegments result;
-        std::vector<DomainSegment> segments;
         auto next = divisions_.cbegin();
         for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
             const auto first = next;
             next = std::find_if(next, divisions_.cend(),
                                 [s](const JointPlace &division) { return division.segment != s; });
-            addParts(s, {first, next}, segments, result);
+            addParts(s, {first, next}, result);
         }
-        domain_.segments = std::move(segments);
         return result;
     }
 
-    void addParts(std::uint32_t s, std::span<const JointPlace> at, std::vector<DomainSegment> &segments,
-                  DividedSegments &result) const {
+    void addParts(std::uint32_t s, std::span<const JointPlace> at, DividedSegments &result) const {
         const std::vector<JointPlace> divisions = apart(s, at);
         const std::uint32_t whole = elementsOf(s);
         DomainSegment rest = domain_.segments[s];
         std::uint32_t before = 0;
         const auto add = [&](const DomainSegment &part, std::uint32_t after) {
-            segments.push_back(part);
+            result.segments.push_back(part);
             result.given.push_back(s);
             result.elements.push_back(divisions.empty() ? 0 : after - before);
             before = after;
@@ -142,7 +139,7 @@ class JointDivision {
         return stretch(s).follows() || elements_.empty() ? 0 : elements_[s];
     }
 
-    Domain &domain_;
+    const Domain &domain_;
     std::span<const JointNode> nodes_;
     std::span<const std::uint32_t> shapes_;
     std::span<const std::uint32_t> elements_;
@@ -153,8 +150,9 @@ class JointDivision {
 
 } // namespace
 
-DividedSegments divideAtJoints(Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
-                               std::span<const std::uint32_t> elements, const std::vector<bool> &whole) {
+DividedSegments divideAtJoints(const Domain &domain, std::span<const JointNode> nodes,
+                               std::span<const std::uint32_t> shapes, std::span<const std::uint32_t> elements,
+                               const std::vector<bool> &whole) {
     return JointDivision(domain, nodes, shapes, elements, whole).run();
 }
 

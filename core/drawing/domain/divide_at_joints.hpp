@@ -14,20 +14,23 @@ struct JointNode {
     std::uint32_t shape = 0; ///< index into Document::shapes
 };
 
-/// What became of the segments of a domain that joints divide; both lists are empty if none did.
+/// The segments of a domain that joints divide; the lists are empty if none does.
 struct DividedSegments {
+    std::vector<DomainSegment> segments;
     std::vector<std::uint32_t> given;    ///< per segment: the index that it, or what it is a part of, had before
     std::vector<std::uint32_t> elements; ///< per segment: its number of elements if it is a part of a straight one
                                          ///< that has a number; else 0
 };
 
-/// Divides segments and curves at the nodes of other shapes that lie on them, within 1e-10 of the domain's diagonal, so
-/// that what is joined in a drawing is joined in its mesh. The parts of a straight segment with a number of elements
-/// share it by their lengths; such a segment stays whole if it has fewer elements than there would be parts.
+/// Returns the segments divided at the nodes of other shapes that lie on them or their curves, within 1e-10 of the
+/// domain's diagonal, so that what is joined in a drawing is joined in its mesh. The parts of a straight segment with a
+/// number of elements share it by their lengths; such a segment stays whole if it has fewer elements than there would
+/// be parts.
 ///
 /// `shapes`, `elements`: per segment, the shape that it comes from and its number of elements, 0: as the spacing asks;
 /// an empty list of elements: none has a number. `whole`: the segments that must stay as they are.
-DividedSegments divideAtJoints(Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
-                               std::span<const std::uint32_t> elements, const std::vector<bool> &whole);
+DividedSegments divideAtJoints(const Domain &domain, std::span<const JointNode> nodes,
+                               std::span<const std::uint32_t> shapes, std::span<const std::uint32_t> elements,
+                               const std::vector<bool> &whole);
 
 } // namespace forefront

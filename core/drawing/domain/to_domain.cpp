@@ -175,6 +175,9 @@ class DocumentDomain {
     /// Divides what the nodes of other shapes lie on, unless a part would then be there twice: as where a line runs so
     /// close to a side that it is on the side up to rounding, and yet is another.
     void divideJoined() {
+        if (shapes_.empty() || (shapes_.front() == shapes_.back() && domain_.points.empty())) {
+            return; // one shape, which no other one divides
+        }
         const std::vector<std::uint32_t> counts = elements();
         std::vector<bool> whole(domain_.segments.size(), false);
         const std::vector<ElementBias> bias = biases();
@@ -182,17 +185,18 @@ class DocumentDomain {
             whole[s] = bias[s].any() && !domain_.segments[s].stretch.follows(); // parts could not keep the bias
         }
         for (int round = 0; round < kMaxDivisions; ++round) {
-            Domain divided = domain_;
-            const DividedSegments parts = divideAtJoints(divided, joints_, shapes_, counts, whole);
+            DividedSegments parts = divideAtJoints(domain_, joints_, shapes_, counts, whole);
             if (parts.given.empty()) {
                 return;
             }
             const std::vector<SegmentRun> loops = loopsIn(parts);
-            const std::vector<std::uint32_t> twice = drawnTwice(divided, loops, parts.given);
+            domain_.segments.swap(parts.segments);
+            const std::vector<std::uint32_t> twice = drawnTwice(domain_, loops, parts.given);
             if (twice.empty()) {
-                takeDivision(std::move(divided), parts, loops);
+                takeDivision(parts, loops);
                 return;
             }
+            domain_.segments.swap(parts.segments); // back to what was drawn
             for (const std::uint32_t s : twice) {
                 whole[s] = true;
             }
@@ -212,8 +216,7 @@ class DocumentDomain {
         return loops;
     }
 
-    void takeDivision(Domain divided, const DividedSegments &parts, const std::vector<SegmentRun> &loops) {
-        domain_ = std::move(divided);
+    void takeDivision(const DividedSegments &parts, const std::vector<SegmentRun> &loops) {
         loops_ = loops;
         shares_ = parts.elements;
         if (sources_ != nullptr) {
