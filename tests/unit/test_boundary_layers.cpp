@@ -5,6 +5,7 @@
 #include "core/engine/session/mesh_stepper.hpp"
 #include "tests/support/flat_corners.hpp"
 #include "tests/support/meshed_job.hpp"
+#include "tests/support/quad_jobs.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -41,15 +42,6 @@ MeshingJob squareAround(const std::vector<Vec2> &hole, double size) {
     job.spacing.size = size;
     job.options.verify = true;
     return job;
-}
-
-std::vector<Vec2> ring(double radius, int count) {
-    std::vector<Vec2> ring;
-    for (int k = 0; k < count; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / count;
-        ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return ring;
 }
 
 LayerSpec layersOf(std::int32_t tag, double first, double growth, std::uint32_t count) {
@@ -127,7 +119,7 @@ void checkRandom(std::uint64_t from, std::uint64_t to, std::uint64_t othersEvery
 using namespace layer_cases;
 
 TEST_CASE("boundary layers: a smooth wall has the heights asked for on every ray") {
-    MeshingJob job = squareAround(ring(1.0, 64), 0.1);
+    MeshingJob job = squareAround(discOutline(64, 1.0), 0.1);
     job.layers = {layersOf(kWall, 0.001, 1.2, 12)};
     const MeshingOutcome outcome = meshedJob(job);
     CHECK(outcome.layers.shortened.empty());
@@ -155,7 +147,7 @@ TEST_CASE("boundary layers: a smooth wall has the heights asked for on every ray
 }
 
 TEST_CASE("boundary layers: a thickness, and layers until they are isotropic") {
-    MeshingJob job = squareAround(ring(1.0, 64), 0.1);
+    MeshingJob job = squareAround(discOutline(64, 1.0), 0.1);
     LayerSpec spec = layersOf(kWall, 0.001, 1.0, 1);
     spec.count.reset();
     spec.thickness = 0.0107;
@@ -249,7 +241,7 @@ TEST_CASE("boundary layers: walls that face each other share their distance, and
 }
 
 TEST_CASE("boundary layers: the size grows from their tops") {
-    MeshingJob job = squareAround(ring(1.0, 256), 0.5);
+    MeshingJob job = squareAround(discOutline(256, 1.0), 0.5);
     job.layers = {layersOf(kWall, 0.001, 1.2, 12)};
     const MeshingOutcome outcome = meshedJob(job);
     CHECK(outcome.spacing->at({1.05, 0.0}) == doctest::Approx(2.0 * std::numbers::pi / 256).epsilon(0.3));
@@ -257,7 +249,7 @@ TEST_CASE("boundary layers: the size grows from their tops") {
 }
 
 TEST_CASE("boundary layers: quadrilaterals and second order have them, too") {
-    MeshingJob job = squareAround(ring(1.0, 64), 0.2);
+    MeshingJob job = squareAround(discOutline(64, 1.0), 0.2);
     job.layers = {layersOf(kWall, 0.005, 1.3, 8)};
     job.options.elements = Elements::Quads;
     CHECK(meshedJob(job).mesh.block(CellKind::Quadrilateral4).size() > 64 * 8);
@@ -282,7 +274,7 @@ TEST_CASE("boundary layers: a wall inside the domain has them on both sides") {
 }
 
 TEST_CASE("boundary layers: too many of them are refused before they are made, and building them can be cancelled") {
-    MeshingJob job = squareAround(ring(1.0, 200), 0.1);
+    MeshingJob job = squareAround(discOutline(200, 1.0), 0.1);
     job.layers = {layersOf(kWall, 1e-4, 1.0, 1000)};
     job.options.maxElements = 50'000;
     Result<MeshingOutcome> outcome = meshDomain(job);
@@ -323,7 +315,7 @@ TEST_CASE("boundary layers: kept segments have all of them, and no nodes beside 
 }
 
 TEST_CASE("checkLayers: invalid numbers, unknown and repeated parts are refused") {
-    MeshingJob job = squareAround(ring(1.0, 16), 0.5);
+    MeshingJob job = squareAround(discOutline(16, 1.0), 0.5);
     job.domain.boundaryNames[kWall] = "wing";
     const auto refused = [&](const LayerSpec &spec) {
         job.layers = {spec};

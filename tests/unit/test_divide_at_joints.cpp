@@ -4,7 +4,9 @@
 #include "core/drawing/domain/domain_sources.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
+#include "tests/support/meshed_job.hpp"
 #include "tests/unit/edit_support.hpp"
+#include "tests/unit/shared_sides.hpp"
 
 #include <doctest/doctest.h>
 
@@ -20,17 +22,6 @@ using namespace forefront;
 using namespace forefront::edit_test;
 
 namespace {
-
-std::size_t linesWithin(const Domain &domain) {
-    return static_cast<std::size_t>(
-        std::count_if(domain.segments.begin(), domain.segments.end(),
-                      [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; }));
-}
-
-std::size_t elementsOn(const MeshingOutcome &meshed, std::int32_t tag) {
-    return static_cast<std::size_t>(std::count_if(meshed.mesh.edges.begin(), meshed.mesh.edges.end(),
-                                                  [tag](const TaggedEdge &edge) { return edge.tag == tag; }));
-}
 
 Shape outlineWithTags(std::vector<Vec2> nodes, std::vector<std::int32_t> tags) {
     Shape shape = makeShape(ShapeKind::Polygon, std::move(nodes));
@@ -106,18 +97,9 @@ TEST_CASE("Divide at joints: sides that two shapes have in common in part are on
             documentOf({block(0, 9, -3, 0), block(1, 3, 0, 2), block(3, 5.5, 0, 2), block(5.5, 10, 0, 2)});
         const Domain domain = toDomain(document);
         CHECK(validate(domain).empty());
-        CHECK(linesWithin(domain) == 5); // three floors on the wall, two walls between them
+        CHECK(innerLines(domain) == 5); // three floors on the wall, two walls between them
         document.spacing.size = 0.5;
-        const Result<MeshingOutcome> meshed = meshDomain(jobOf(document));
-        REQUIRE(meshed.ok());
-        double area = 0.0;
-        const CellBlock &cells = meshed->mesh.blocks.front();
-        for (std::size_t e = 0; e < cells.regions.size(); ++e) {
-            const auto nodes = cells.nodesOf(e);
-            const auto at = [&](std::size_t k) { return meshed->mesh.nodes[index(nodes[k])]; };
-            area += 0.5 * cross(at(1) - at(0), at(2) - at(0));
-        }
-        CHECK(area == doctest::Approx(27.0 + 18.0));
+        CHECK(meshedArea(document) == doctest::Approx(27.0 + 18.0));
     }
 }
 
@@ -130,7 +112,7 @@ TEST_CASE("Divide at joints: the parts of a side with a number of elements share
         document.elementCounts[7] = {.count = count};
         const Result<MeshingOutcome> meshed = meshDomain(jobOf(document));
         REQUIRE_MESSAGE(meshed.ok(), meshed.faults().front().message);
-        CHECK(elementsOn(*meshed, 7) == count);
+        CHECK(forefront::testing::edgesTagged(meshed->mesh, 7) == count);
     }
     document.elementCounts[7] = {.count = 2}; // cannot have two inner nodes
     CHECK_FALSE(meshDomain(jobOf(document)).ok());

@@ -6,6 +6,7 @@
 #include "core/engine/refine/least_angle.hpp"
 #include "tests/support/random_curves.hpp"
 #include "tests/support/random_domains.hpp"
+#include "tests/unit/least_angle_checks.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -27,17 +28,6 @@ MeshingJob leastAngleJob(Domain domain, double angle) {
     job.domain = std::move(domain);
     job.options.leastAngle = angle;
     return job;
-}
-
-/// Returns the least angle of an element in degrees.
-double leastAngleOf(const Mesh &mesh, const Element &e) {
-    double least = 180.0;
-    for (unsigned k = 0; k < 3; ++k) {
-        const Vec2 at = mesh.nodes[index(e[k])];
-        const Vec2 u = mesh.nodes[index(e[(k + 1) % 3])] - at, v = mesh.nodes[index(e[(k + 2) % 3])] - at;
-        least = std::min(least, std::atan2(cross(u, v), dot(u, v)) * 180.0 / std::numbers::pi);
-    }
-    return least;
 }
 
 /// Returns the least angle between two tagged edges at a place, in degrees.
@@ -62,24 +52,18 @@ double sharpestCorner(const Mesh &mesh, Vec2 at) {
 /// Meshes a domain and judges the mesh by its own elements: it must be valid, and its elements with smaller angles as
 /// many as the report names, each with a node at the named corner or inside its two lines.
 MeshingOutcome meshedToAngle(const MeshingJob &job) {
-    Result<MeshingOutcome> outcome = meshDomain(job);
-    REQUIRE_MESSAGE(outcome, samples::list(outcome ? Diagnostics{} : outcome.faults()));
-    Diagnostics faults = verifyAgainst(outcome->mesh, job.domain, job.spacing.placed.counts());
-    std::erase_if(faults, [](const Diagnostic &fault) { return fault.severity != Severity::Error; });
-    REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
-    std::size_t smaller = 0, named = 0;
-    for (const Element &e : outcome->mesh.triangles()) {
-        smaller += leastAngleOf(outcome->mesh, e) < *job.options.leastAngle * (1.0 - 1e-9) ? 1 : 0;
-    }
-    for (const ForcedAngle &place : outcome->leastAngle.forced) {
+    MeshingOutcome outcome = verifiedJob(job);
+    const std::size_t smaller = elementsBelow(outcome.mesh, *job.options.leastAngle);
+    std::size_t named = 0;
+    for (const ForcedAngle &place : outcome.leastAngle.forced) {
         named += place.elements;
         if (place.reason == ForcedBy::Corner) {
-            CHECK(sharpestCorner(outcome->mesh, place.at) <= *job.options.leastAngle);
+            CHECK(sharpestCorner(outcome.mesh, place.at) <= *job.options.leastAngle);
         }
     }
     CHECK(smaller <= named);
-    CHECK(outcome->leastAngle.reached >= *job.options.leastAngle * (1.0 - 1e-9));
-    return *std::move(outcome);
+    CHECK(outcome.leastAngle.reached >= *job.options.leastAngle * (1.0 - 1e-9));
+    return outcome;
 }
 
 /// A right-angled triangle with one sharp corner at the origin.

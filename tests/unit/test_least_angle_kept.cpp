@@ -3,6 +3,7 @@
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/refine/least_angle.hpp"
 #include "tests/support/random_domains.hpp"
+#include "tests/unit/least_angle_checks.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -18,20 +19,10 @@ using namespace forefront::testing;
 
 namespace kept_edges_test {
 
-double leastAngle(const Mesh &mesh, const Element &e) {
-    double least = 180.0;
-    for (unsigned k = 0; k < 3; ++k) {
-        const Vec2 at = mesh.nodes[index(e[k])];
-        const Vec2 u = mesh.nodes[index(e[(k + 1) % 3])] - at, v = mesh.nodes[index(e[(k + 2) % 3])] - at;
-        least = std::min(least, std::atan2(cross(u, v), dot(u, v)) * 180.0 / std::numbers::pi);
-    }
-    return least;
-}
-
 double leastAngle(const Mesh &mesh) {
     double least = 180.0;
     for (const Element &e : mesh.triangles()) {
-        least = std::min(least, leastAngle(mesh, e));
+        least = std::min(least, leastAngleOf(mesh, e));
     }
     return least;
 }
@@ -46,26 +37,15 @@ MeshingJob biasedRectangle(double bias) {
     return job;
 }
 
-MeshingOutcome meshed(const MeshingJob &job) {
-    Result<MeshingOutcome> outcome = meshDomain(job);
-    REQUIRE_MESSAGE(outcome, samples::list(outcome ? Diagnostics{} : outcome.faults()));
-    Diagnostics faults = verifyAgainst(outcome->mesh, job.domain, job.spacing.placed.counts());
-    std::erase_if(faults, [](const Diagnostic &fault) { return fault.severity != Severity::Error; });
-    REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
-    return *std::move(outcome);
-}
-
 /// Compares a mesh with one that has a least angle: no place that forces smaller angles is sharper than before.
 void checkNotWorse(MeshingJob job, double angle) {
     CAPTURE(angle);
     job.options.leastAngle.reset();
-    const double before = leastAngle(meshed(job).mesh);
+    const double before = leastAngle(verifiedJob(job).mesh);
     job.options.leastAngle = angle;
-    const MeshingOutcome refined = meshed(job);
-    std::size_t smaller = 0, named = 0;
-    for (const Element &e : refined.mesh.triangles()) {
-        smaller += leastAngle(refined.mesh, e) < angle * (1.0 - 1e-9) ? 1 : 0;
-    }
+    const MeshingOutcome refined = verifiedJob(job);
+    const std::size_t smaller = elementsBelow(refined.mesh, angle);
+    std::size_t named = 0;
     for (const ForcedAngle &place : refined.leastAngle.forced) {
         named += place.elements;
         if (place.reason == ForcedBy::KeptEdge) {
@@ -104,7 +84,7 @@ TEST_CASE("least angle: beside a biased side with a number of elements, no angle
 TEST_CASE("least angle: beside a biased side, what can gain does, and the rest is named") {
     MeshingJob job = biasedRectangle(40.0);
     job.options.leastAngle = 33.0;
-    const MeshingOutcome outcome = meshed(job);
+    const MeshingOutcome outcome = verifiedJob(job);
     CHECK(outcome.leastAngle.addedNodes > 0);
     REQUIRE_FALSE(outcome.leastAngle.forced.empty());
     for (const ForcedAngle &place : outcome.leastAngle.forced) {

@@ -4,6 +4,7 @@
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "tests/unit/edit_support.hpp"
+#include "tests/unit/shared_sides.hpp"
 
 #include <doctest/doctest.h>
 
@@ -22,30 +23,10 @@ using namespace forefront::edit_test;
 
 namespace {
 
-std::size_t innerLines(const Domain &domain) {
-    return static_cast<std::size_t>(
-        std::count_if(domain.segments.begin(), domain.segments.end(),
-                      [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; }));
-}
-
 bool isRefused(const Document &document) {
     const Diagnostics faults = validate(toDomain(document));
     return std::any_of(faults.begin(), faults.end(),
                        [](const Diagnostic &fault) { return fault.code == "duplicate-segment"; });
-}
-
-double meshedArea(Document document) {
-    document.spacing.size = 0.5;
-    const Result<MeshingOutcome> meshed = meshDomain(jobOf(document));
-    REQUIRE_MESSAGE(meshed.ok(), meshed.faults().front().message);
-    double area = 0.0;
-    const CellBlock &block = meshed->mesh.blocks.front();
-    for (std::size_t e = 0; e < block.regions.size(); ++e) {
-        const std::span<const NodeId> nodes = block.nodesOf(e);
-        const auto at = [&](std::size_t k) { return meshed->mesh.nodes[index(nodes[k])]; };
-        area += 0.5 * cross(at(1) - at(0), at(2) - at(0));
-    }
-    return area;
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include "core/engine/session/meshing_session.hpp"
 #include "tests/support/flat_corners.hpp"
 #include "tests/support/meshed_job.hpp"
+#include "tests/support/quad_jobs.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -28,15 +29,6 @@ using namespace forefront;
 using namespace forefront::testing;
 
 namespace {
-
-std::vector<Vec2> circle(unsigned count, double radius) {
-    std::vector<Vec2> nodes;
-    for (unsigned i = 0; i < count; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / count;
-        nodes.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return nodes;
-}
 
 MeshingJob quadJob(Domain domain, const std::string &spacing) {
     MeshingJob job;
@@ -106,7 +98,7 @@ TEST_CASE("quads: a square of even sides is a lattice of squares") {
 }
 
 TEST_CASE("quads: a disc has quadrilaterals alone, few irregular nodes, and no poor shape") {
-    const Domain domain = polygon(circle(178, 1.0));
+    const Domain domain = polygon(discOutline(178, 1.0));
     const MeshingOutcome outcome = meshedJob(quadJob(domain, "0.0353"));
     CHECK(faultsOf(outcome.mesh, domain).empty());
     CHECK(outcome.quads.triangles == 0);
@@ -117,7 +109,7 @@ TEST_CASE("quads: a disc has quadrilaterals alone, few irregular nodes, and no p
 
 TEST_CASE("quads: shapes, irregular nodes and spacing of a disc, a graded domain, and a plate with a hole") {
     Domain plate = polygon({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
-    std::vector<Vec2> hole = circle(166, 1.0);
+    std::vector<Vec2> hole = discOutline(166, 1.0);
     std::reverse(hole.begin(), hole.end());
     addLoop(plate, hole);
     struct Case {
@@ -126,7 +118,7 @@ TEST_CASE("quads: shapes, irregular nodes and spacing of a disc, a graded domain
         double meanShape, irregularShare, conformity;
     };
     const std::vector<Case> all = {
-        {"disc", quadJob(polygon(circle(354, 1.0)), "0.01772"), 0.990, 0.022, 0.955},
+        {"disc", quadJob(polygon(discOutline(354, 1.0)), "0.01772"), 0.990, 0.022, 0.955},
         {"graded",
          quadJob(polygon({{0, 0}, {60, 0}, {60, 40}, {0, 40}}), "max(0.1, 0.232*abs(sqrt((x-30)^2+(y-20)^2)-12))"),
          0.955, 0.085, 0.900},
@@ -152,7 +144,7 @@ TEST_CASE("quads: three boundary nodes in line at one quadrilateral, beside a co
 }
 
 TEST_CASE("quads: an odd boundary gets one more node, a kept one keeps one triangle") {
-    const Domain domain = polygon(circle(31, 1.0));
+    const Domain domain = polygon(discOutline(31, 1.0));
     MeshingJob job = quadJob(domain, "0.2");
     const MeshingOutcome even = meshedJob(job);
     CHECK(even.boundary->segments.size() % 2 == 0);
@@ -177,7 +169,7 @@ TEST_CASE("quads: a line with a given number of elements keeps it") {
 }
 
 TEST_CASE("colourBoundary: every edge joins two colours, with at most one new node for each cycle") {
-    const MeshingJob job = quadJob(polygon(circle(7, 1.0)), "0.9");
+    const MeshingJob job = quadJob(polygon(discOutline(7, 1.0)), "0.9");
     const Result<PreparedJob> prepared = prepare(job);
     REQUIRE(prepared);
     const ColouredBoundary even = colourBoundary(*prepared->boundary, *prepared->spacing, {&job.domain, {}, true});
@@ -234,7 +226,7 @@ TEST_CASE("quads: 2,000 random domains, all grids" * doctest::test_suite("slow")
 }
 
 TEST_CASE("quads: cancelling ends the run") {
-    const MeshingJob job = quadJob(polygon(circle(178, 1.0)), "0.02");
+    const MeshingJob job = quadJob(polygon(discOutline(178, 1.0)), "0.02");
     std::stop_source stop;
     Progress progress;
     progress.stop = stop.get_token();
@@ -249,7 +241,7 @@ TEST_CASE("quads: cancelling ends the run") {
 }
 
 TEST_CASE("quads: a session makes the same mesh as meshDomain and steps back from it") {
-    auto job = std::make_shared<const MeshingJob>(quadJob(polygon(circle(40, 1.0)), "0.2"));
+    auto job = std::make_shared<const MeshingJob>(quadJob(polygon(discOutline(40, 1.0)), "0.2"));
     const Result<MeshingOutcome> expected = meshDomain(*job);
     REQUIRE(expected);
     MeshingSession session;
@@ -278,11 +270,11 @@ TEST_CASE("quads: a session makes the same mesh as meshDomain and steps back fro
 }
 
 TEST_CASE("quads: a cancelled session keeps the previous mesh") {
-    auto job = std::make_shared<const MeshingJob>(quadJob(polygon(circle(40, 1.0)), "0.2"));
+    auto job = std::make_shared<const MeshingJob>(quadJob(polygon(discOutline(40, 1.0)), "0.2"));
     MeshingSession session;
     session.start(job, StartMode::Run);
     const std::uint64_t hash = session.wait()->meshHash;
-    auto large = std::make_shared<const MeshingJob>(quadJob(polygon(circle(400, 1.0)), "0.005"));
+    auto large = std::make_shared<const MeshingJob>(quadJob(polygon(discOutline(400, 1.0)), "0.005"));
     session.start(large, StartMode::Run);
     session.cancel();
     const std::shared_ptr<const SessionSnapshot> snapshot = session.wait();
@@ -311,12 +303,12 @@ TEST_CASE("quads: the bits of some meshes") {
         MeshingJob job;
         std::uint64_t hash;
     };
-    MeshingJob best = quadJob(polygon(circle(178, 1.0)), "0.0353");
+    MeshingJob best = quadJob(polygon(discOutline(178, 1.0)), "0.0353");
     best.options.improve = ImproveLevel::Best;
     MeshingJob mixed = quadJob(polygon({{0, 0}, {3, 0.2}, {2.5, 2}, {1, 1.2}}), "0.1");
     mixed.options.elements = Elements::Mixed;
     const std::vector<Pinned> all = {
-        {"disc", quadJob(polygon(circle(178, 1.0)), "0.0353"), 0xdcac60e9a4104e0d},
+        {"disc", quadJob(polygon(discOutline(178, 1.0)), "0.0353"), 0xdcac60e9a4104e0d},
         {"disc, best", best, 0x67a0e58a8c2d24ff},
         {"corner", quadJob(polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), "0.05"), 0xadf76b6977e7197b},
         {"graded", quadJob(polygon({{0, 0}, {6, 0}, {6, 4}, {0, 4}}), "max(0.05, 0.2*abs(sqrt((x-3)^2+(y-2)^2)-1.2))"),

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
+#include "tests/support/meshed_job.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace forefront::edit_test {
+
+/// Returns the number of segments within a domain, which separate nothing from its outside.
+inline std::size_t innerLines(const Domain &domain) {
+    return static_cast<std::size_t>(
+        std::count_if(domain.segments.begin(), domain.segments.end(),
+                      [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; }));
+}
+
+/// Returns the sum of the areas of the elements, of size 0.5, of a drawing.
+inline double meshedArea(Document document) {
+    document.spacing.size = 0.5;
+    const Mesh mesh = forefront::testing::meshedJob(jobOf(document)).mesh;
+    double area = 0.0;
+    for (const Element &e : mesh.triangles()) {
+        const auto at = [&](std::size_t k) { return mesh.nodes[index(e[k])]; };
+        area += 0.5 * cross(at(1) - at(0), at(2) - at(0));
+    }
+    return area;
+}
+
+} // namespace forefront::edit_test
