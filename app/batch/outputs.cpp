@@ -53,7 +53,7 @@ bool namesProgram(const std::string &word, const std::string &name) {
            name[at] <= 'Z';
 }
 
-/// Returns a suggestion for an unknown id: a similar one, or that of the format of the program with this name.
+/// Returns a suggestion for an unknown id: a similar id, or the id of the format of a program such as Abaqus.
 std::string idSuggestion(const std::string &id) {
     const std::string similar = formatSuggestion(id, &FileFormat::id);
     const std::vector<FileFormat> formats = allFormats().list();

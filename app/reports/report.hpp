@@ -30,7 +30,8 @@ struct MeshReport {
     std::uint64_t hash = 0;
     bool hasSpacing = false;              ///< the conformity to a spacing was measured
     double shortest = 0.0, longest = 0.0; ///< edges, between their corners
-    /// Of a valid mesh of second order: the least ratio in an element of its Jacobian determinants.
+    /// Minimum over the elements of the ratio of the smallest to the largest Jacobian determinant; none unless the mesh
+    /// is valid and of second order.
     std::optional<double> leastUniformity{};
 };
 
