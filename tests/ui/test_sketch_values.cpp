@@ -138,6 +138,49 @@ TEST_CASE("Values of the sketch: a number typed for a parameter sets the paramet
     CHECK(driver.document().formulas.empty());
 }
 
+TEST_CASE("Typed sizes: a length that a dimension holds says so at the field, and offers to change the dimension") {
+    ValueSketcher driver;
+    driver.add(ConstraintKind::Length, {{1, SketchPartKind::Segment, 0}});
+    const double before = driver.lowerSide();
+    driver.context().selection.clear();
+    driver.context().selection.segments.insert({1, 0});
+    driver.settle();
+    const std::uint64_t revision = driver.context().document.revision();
+    driver.fill("inspector/length", "4");
+    CHECK(driver.context().document.revision() == revision);
+    REQUIRE(driver.has("inspector/length/fault"));
+    CHECK(driver.context().fieldFault.text.starts_with("length = 4 cannot hold together with Length 1; still "));
+    REQUIRE(driver.has("fieldoffer/change"));
+    driver.key(key::kEscape); // gives up the text, and nothing has changed
+    driver.settle();
+    CHECK_FALSE(driver.has("fieldoffer/change"));
+    CHECK(driver.lowerSide() == before);
+
+    driver.fill("inspector/length", "4");
+    driver.click("fieldoffer/change");
+    driver.settle();
+    CHECK(driver.lowerSide() == doctest::Approx(4.0));
+    CHECK(driver.undoLabel() == "Change Length 1");
+    CHECK_FALSE(driver.has("inspector/length/fault"));
+    CHECK_FALSE(driver.has("fieldoffer/change"));
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    CHECK(driver.lowerSide() == before);
+}
+
+TEST_CASE("Typed sizes: where no dimension holds the length, its field names what does and offers nothing") {
+    ValueSketcher driver;
+    driver.add(ConstraintKind::Fixed, {{1, SketchPartKind::Node, 0}});
+    driver.add(ConstraintKind::Fixed, {{1, SketchPartKind::Node, 1}});
+    driver.context().selection.clear();
+    driver.context().selection.segments.insert({1, 0});
+    driver.settle();
+    driver.fill("inspector/length", "4");
+    REQUIRE(driver.has("inspector/length/fault"));
+    CHECK(driver.context().fieldFault.text.starts_with("length = 4 cannot hold together with Fixed 1 and Fixed 2"));
+    CHECK_FALSE(driver.has("fieldoffer/change"));
+}
+
 TEST_CASE("Glyphs of the sketch: the pointer shows the name; a refusal lights those that it names until the next act") {
     ValueSketcher driver;
     const std::string vertical = driver.add(ConstraintKind::Vertical, {{1, SketchPartKind::Segment, 1}});
