@@ -1,6 +1,7 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <doctest/doctest.h>
 
@@ -61,6 +62,8 @@ TEST_CASE("Values of the sketch: they stay while the selection changes, and a do
         driver.context().selection.segments.insert({1, segment});
         driver.settle();
         CHECK(driver.context().actions.run("constraint.length", driver.context()));
+        driver.settle();
+        driver.key(key::kEscape); // the field of the new dimension
         driver.settle();
         const std::string value = "sketch/" + std::to_string(driver.document().constraints.back()->id) + "/0";
         const PixelRect added = driver.rect(value);
@@ -179,6 +182,55 @@ TEST_CASE("Typed sizes: where no dimension holds the length, its field names wha
     REQUIRE(driver.has("inspector/length/fault"));
     CHECK(driver.context().fieldFault.text.starts_with("length = 4 cannot hold together with Fixed 1 and Fixed 2"));
     CHECK_FALSE(driver.has("fieldoffer/change"));
+}
+
+TEST_CASE("Values of the sketch: a new dimension opens its field with the measured value") {
+    ValueSketcher driver;
+    const auto add = [&] {
+        driver.context().selection.clear();
+        driver.context().selection.segments.insert({1, 0});
+        driver.settle();
+        CHECK(driver.context().actions.run("constraint.length", driver.context()));
+        driver.settle();
+    };
+    const double measured = driver.lowerSide();
+    const std::uint64_t before = driver.context().document.revision();
+    add();
+    REQUIRE(driver.has("dimension/value"));
+    CHECK(driver.context().dimensionEntry.text == ui::editedNumber(measured));
+    driver.type("4"); // over the selected value
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.has("dimension"));
+    CHECK(driver.lowerSide() == doctest::Approx(4.0));
+    CHECK(driver.undoLabel() == "Add Length 1");
+    driver.key('Z', {Modifiers::kControl}); // one step with its value
+    driver.settle();
+    CHECK(driver.context().document.revision() == before);
+
+    for (const int leave : {key::kEscape, key::kEnter}) {
+        add();
+        REQUIRE(driver.has("dimension/value"));
+        driver.key(leave);
+        driver.settle();
+        CHECK_FALSE(driver.has("dimension"));
+        CHECK(driver.lowerSide() == measured);
+        REQUIRE(driver.document().constraints.size() == 2);
+        CHECK(driver.document().constraints.back()->value == measured);
+        driver.key('Z', {Modifiers::kControl});
+        driver.settle();
+        CHECK(driver.context().document.revision() == before);
+    }
+
+    add();
+    driver.type("-4"); // refused
+    driver.key(key::kEnter);
+    driver.settle();
+    REQUIRE(driver.has("dimension/fault"));
+    driver.key(key::kEscape);
+    driver.settle();
+    CHECK_FALSE(driver.has("dimension"));
+    CHECK(driver.document().constraints.back()->value == measured);
 }
 
 TEST_CASE("Glyphs of the sketch: the pointer shows the name; a refusal lights those that it names until the next act") {

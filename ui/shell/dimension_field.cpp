@@ -78,12 +78,13 @@ void finishDimension(Shell &context) {
         return;
     }
     next = setFormula(*std::move(next), address, usesNames(typed) ? typed : std::string());
-    const std::string label = "Change " + findConstraint(*document, id)->name;
+    const std::string label = (entry.stroke.empty() ? "Change " : "Add ") + findConstraint(*document, id)->name;
     if (const Result<Document> checked = applyFormulas(*next); !checked) {
         refuseDimension(context, checked.faults());
         return;
     }
-    if (context.applyCommand(std::move(next), label)) {
+    if (context.applyCommand(std::move(next), label, entry.stroke)) {
+        context.document.endStroke();
         entry.close();
         context.animate();
     }
