@@ -1,18 +1,19 @@
-#include "core/drawing/domain/divide_at_joints.hpp"
+#include "core/drawing/domain/divide_joined.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/domain/domain_sources.hpp"
-#include "core/drawing/domain/neighbour_sides.hpp"
+#include "core/drawing/domain/draw_shapes.hpp"
+#include "core/drawing/domain/drawn_domain.hpp"
+#include "core/drawing/domain/given_sizes.hpp"
+#include "core/drawing/domain/join_neighbours.hpp"
 #include "core/drawing/domain/refine_chords.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
-#include "core/engine/domain/node_merger.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -20,355 +21,30 @@
 namespace forefront {
 namespace {
 
-/// Adds the shapes of a document to a domain; `sources` may be null.
-class DocumentDomain {
-  public:
-    DocumentDomain(const Document &document, DomainSources *sources)
-        : document_(document), counted_(countedParts(document)),
-          sources_(sources != nullptr || (counted_.empty() && !hasSegmentSizes(document)) ? sources : &own_),
-          merger_(domain_.nodes) {}
-
-    Domain build() {
-        for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
-            const Shape &shape = *document_.shapes[number];
-            if (!shape.construction) {
-                shape.is<PointForm>() ? addPoint(shape, number) : addOutline(shape, number);
-            }
+/// The domain of a document while it is made, with what is given for its segments.
+struct BuiltDomain {
+    /// `wanted` may be null.
+    BuiltDomain(const Document &document, DomainSources *wanted) : given(document) {
+        drawn.sources = wanted != nullptr || !given.any() ? wanted : &own;
+        drawShapes(document, drawn, given);
+        for (const MarkedRegion &region : document.regionMarkers) {
+            drawn.domain.regionMarkers.push_back({region.at, region.tag});
         }
-        for (const MarkedRegion &region : document_.regionMarkers) {
-            domain_.regionMarkers.push_back({region.at, region.tag});
-        }
-        domain_.boundaryNames = document_.boundaryNames;
-        domain_.regionNames = document_.regionNames;
-        domain_.curveTolerance = document_.curveTolerance;
-        divideJoined();
-        joinNeighbours();
-        if (flattened_) {
-            refineMeetingChords(domain_, sources_);
-        }
-        return std::move(domain_);
-    }
-
-    /// Returns the numbers of elements along the segments that were built, see PlacedSizes::elements.
-    std::vector<std::uint32_t> elements() const {
-        std::vector<std::uint32_t> list;
-        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
-            if (const std::uint32_t count = elementsOf(static_cast<std::uint32_t>(s)); count > 0) {
-                list.resize(sources_->segments.size());
-                list[s] = count;
-            }
-        }
-        return list;
-    }
-
-    /// Returns the biases of the elements along the segments that were built, see PlacedSizes::biases.
-    std::vector<ElementBias> biases() const {
-        std::vector<ElementBias> list;
-        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
-            if (const ElementBias bias = biasOf(static_cast<std::uint32_t>(s)); bias.any()) {
-                list.resize(sources_->segments.size());
-                list[s] = bias;
-            }
-        }
-        return list;
-    }
-
-    /// Returns the sizes along the segments that were built, see PlacedSizes::segments.
-    std::vector<PartSize> sizes() const {
-        std::vector<PartSize> list;
-        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
-            const auto [shape, segment] = sources_->segments[s];
-            const auto found = sizes_.find(shape);
-            if (found != sizes_.end() && found->second[segment].size > 0.0) {
-                list.resize(sources_->segments.size(), PartSize{0.0, 0.0});
-                list[s] = found->second[segment];
-            }
-        }
-        return list;
-    }
-
-  private:
-    std::uint32_t addNode(Vec2 at, const ShapeNode &source) {
-        const std::uint32_t id = merger_.add(at);
-        if (sources_ != nullptr && sources_->nodes.size() < domain_.nodes.size()) {
-            sources_->nodes.push_back(source);
-        }
-        return id;
-    }
-
-    void addPoint(const Shape &shape, std::uint32_t number) {
-        for (std::uint32_t k = 0; k < shape.nodes.size(); ++k) {
-            const std::uint32_t node = addNode(shape.nodes[k], {number, k});
-            if (k == 0 && shape.use == ShapeUse::Constraint) {
-                domain_.points.push_back({node, shape.tag});
-                joints_.push_back({node, number});
-                if (sources_ != nullptr) {
-                    sources_->points.push_back({number, 0});
-                }
-            }
+        drawn.domain.boundaryNames = document.boundaryNames;
+        drawn.domain.regionNames = document.regionNames;
+        drawn.domain.curveTolerance = document.curveTolerance;
+        divideJoined(drawn, given);
+        joinNeighbours(document, drawn, given);
+        if (drawn.flattened) {
+            refineMeetingChords(drawn.domain, drawn.sources);
         }
     }
+    BuiltDomain(const BuiltDomain &) = delete;
+    BuiltDomain &operator=(const BuiltDomain &) = delete;
 
-    /// Notes the size and the number of elements along each segment of an outline, if the shape has any.
-    void addSizes(const Shape &shape, std::uint32_t number, const Outline &outline) {
-        const std::vector<PartSize> parts = sizesOfParts(shape);
-        for (std::size_t segment = 0; !parts.empty() && segment < outline.segmentCount(); ++segment) {
-            sizes_[number].push_back(parts[outline.part(segment)]);
-        }
-        addCounts(shape, number, outline);
-    }
-
-    void addCounts(const Shape &shape, std::uint32_t number, const Outline &outline) {
-        const std::vector<std::uint32_t> parts = elementsOfParts(document_, shape, counted_);
-        if (parts.empty()) {
-            return;
-        }
-        std::vector<std::uint32_t> &counts = counts_[number];
-        for (std::size_t segment = 0; segment < outline.segmentCount(); ++segment) {
-            const std::size_t part = outline.part(segment);
-            counts.push_back(part < parts.size() ? parts[part] : 0);
-            parts_[number].push_back(static_cast<std::uint32_t>(part));
-        }
-    }
-
-    void addOutline(const Shape &shape, std::uint32_t number) {
-        const Outline outline = outlineOf(shape);
-        const Chords chords = chordsOf(shape, outline, document_.circleTolerance);
-        addSizes(shape, number, outline);
-        std::vector<std::uint32_t> ids;
-        ids.reserve(chords.nodes.size());
-        for (std::uint32_t k = 0; k < chords.nodes.size(); ++k) {
-            const auto end = static_cast<std::uint32_t>(outline.segmentCount());
-            ids.push_back(addNode(chords.nodes[k], {number, k < chords.size() ? chords.segments[k] : end}));
-        }
-        const SegmentRole role = shape.use == ShapeUse::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint;
-        const auto first = static_cast<std::uint32_t>(domain_.segments.size());
-        if (isClosed(shape)) {
-            loops_.push_back({first, first + static_cast<std::uint32_t>(chords.size())});
-        }
-        for (std::size_t k = 0; k < chords.size(); ++k) {
-            const std::uint32_t segment = chords.segments[k];
-            const bool given = segment < shape.cuts.size() && !shape.cuts[segment].empty();
-            flattened_ = flattened_ || (chords.stretches[k].follows() && !given);
-            CurveStretch stretch = chords.stretches[k];
-            if (stretch.follows()) {
-                if (stretch.t0 == 0.0) {
-                    domain_.curves.push_back(outline.curves[segment]);
-                }
-                stretch.curve = static_cast<std::uint32_t>(domain_.curves.size() - 1);
-            }
-            if (!stretch.follows() || stretch.t0 == 0.0) {
-                joints_.push_back({ids[k], number});
-            }
-            domain_.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1],
-                                        segmentTag(shape, outline.part(segment)), role, stretch});
-            shapes_.push_back(number);
-            if (sources_ != nullptr) {
-                sources_->segments.push_back({number, segment});
-            }
-        }
-        if (!outline.closed && !ids.empty()) {
-            joints_.push_back({ids.back(), number});
-        }
-    }
-
-    /// Divides what the nodes of other shapes lie on, unless a part would then be there twice: as where a line runs so
-    /// close to a side that it is on the side up to rounding, and yet is another.
-    void divideJoined() {
-        if (shapes_.empty() || (shapes_.front() == shapes_.back() && domain_.points.empty())) {
-            return; // one shape, which no other one divides
-        }
-        const std::vector<std::uint32_t> counts = elements();
-        std::vector<bool> whole(domain_.segments.size(), false);
-        const std::vector<ElementBias> bias = biases();
-        for (std::size_t s = 0; s < bias.size(); ++s) {
-            whole[s] = bias[s].any() && !domain_.segments[s].stretch.follows(); // parts could not keep the bias
-        }
-        for (int round = 0; round < kMaxDivisions; ++round) {
-            DividedSegments parts = divideAtJoints(domain_, joints_, shapes_, counts, whole);
-            if (parts.given.empty()) {
-                return;
-            }
-            const std::vector<SegmentRun> loops = loopsIn(parts);
-            domain_.segments.swap(parts.segments);
-            const std::vector<std::uint32_t> twice = drawnTwice(domain_, loops, parts.given);
-            if (twice.empty()) {
-                takeDivision(parts, loops);
-                return;
-            }
-            domain_.segments.swap(parts.segments); // back to what was drawn
-            for (const std::uint32_t s : twice) {
-                whole[s] = true;
-            }
-        }
-    }
-
-    /// Returns the loops after a division.
-    std::vector<SegmentRun> loopsIn(const DividedSegments &parts) const {
-        const auto placeOf = [&](std::uint32_t segment) {
-            const auto found = std::lower_bound(parts.given.begin(), parts.given.end(), segment);
-            return static_cast<std::uint32_t>(found - parts.given.begin());
-        };
-        std::vector<SegmentRun> loops = loops_;
-        for (SegmentRun &loop : loops) {
-            loop = {placeOf(loop.first), placeOf(loop.end)};
-        }
-        return loops;
-    }
-
-    void takeDivision(const DividedSegments &parts, const std::vector<SegmentRun> &loops) {
-        loops_ = loops;
-        shares_ = parts.elements;
-        if (sources_ != nullptr) {
-            const std::vector<ShapeNode> old = std::exchange(sources_->segments, {});
-            for (const std::uint32_t s : parts.given) {
-                sources_->segments.push_back(old[s]);
-            }
-        }
-    }
-
-    /// Makes what two closed shapes have drawn, each for itself, one line.
-    void joinNeighbours() {
-        std::vector<bool> dropped;
-        std::vector<std::uint32_t> inner; // nodes of curves that are dropped
-        for (const NeighbourSide &side : neighbourSides(domain_, loops_)) {
-            if (!haveSameSizes(side.kept, side.dropped) || losesRole(side.kept, side.dropped)) {
-                continue;
-            }
-            dropped.resize(domain_.segments.size(), false);
-            std::fill(dropped.begin() + side.dropped.first, dropped.begin() + side.dropped.end, true);
-            for (std::uint32_t s = side.dropped.first + 1; s < side.dropped.end; ++s) {
-                inner.push_back(domain_.segments[s].a);
-            }
-            for (std::uint32_t s = side.kept.first; side.within && s < side.kept.end; ++s) {
-                domain_.segments[s].role = SegmentRole::Constraint;
-            }
-        }
-        if (!dropped.empty()) {
-            eraseMarked(dropped, domain_.segments);
-            eraseMarked(dropped, shares_);
-            if (sources_ != nullptr) {
-                eraseMarked(dropped, sources_->segments);
-            }
-        }
-        if (!inner.empty()) {
-            removeUnused(inner);
-        }
-    }
-
-    /// Removes the items of a list that are marked; an empty list has none.
-    template <class Item>
-    static void eraseMarked(const std::vector<bool> &marked, std::vector<Item> &list) {
-        std::erase_if(list, [&](const Item &item) { return marked[static_cast<std::size_t>(&item - list.data())]; });
-    }
-
-    /// Removes those of some nodes that nothing refers to.
-    void removeUnused(const std::vector<std::uint32_t> &nodes) {
-        std::vector<bool> unused(domain_.nodes.size(), false);
-        for (const std::uint32_t node : nodes) {
-            unused[node] = true;
-        }
-        for (const DomainSegment &segment : domain_.segments) {
-            unused[segment.a] = unused[segment.b] = false;
-        }
-        for (const ConstraintPoint &point : domain_.points) {
-            unused[point.node] = false;
-        }
-        std::vector<std::uint32_t> number(domain_.nodes.size());
-        std::uint32_t next = 0;
-        for (std::size_t n = 0; n < number.size(); ++n) {
-            number[n] = next;
-            next += unused[n] ? 0 : 1;
-        }
-        for (DomainSegment &segment : domain_.segments) {
-            segment.a = number[segment.a];
-            segment.b = number[segment.b];
-        }
-        for (ConstraintPoint &point : domain_.points) {
-            point.node = number[point.node];
-        }
-        eraseMarked(unused, domain_.nodes);
-        if (sources_ != nullptr) {
-            eraseMarked(unused, sources_->nodes);
-        }
-    }
-
-    /// Returns the number of elements along a segment, or along the curve that it is a chord of; 0: as the spacing
-    /// asks.
-    std::uint32_t elementsOf(std::uint32_t segment) const {
-        if (segment < shares_.size() && shares_[segment] != 0) {
-            return shares_[segment];
-        }
-        const auto [shape, part] = sources_->segments[segment];
-        const auto found = counts_.find(shape);
-        return found != counts_.end() ? found->second[part] : 0;
-    }
-
-    /// Returns the bias of the elements along a segment, or along the curve that it is a chord of.
-    ElementBias biasOf(std::uint32_t segment) const {
-        const auto [number, part] = sources_->segments[segment];
-        const Shape &shape = *document_.shapes[number];
-        if (elementsOf(segment) == 0 || shape.segmentSizes.empty()) {
-            return {};
-        }
-        const auto own = shape.segmentSizes.find(parts_.at(number)[part]);
-        return own != shape.segmentSizes.end() ? own->second.bias : ElementBias{};
-    }
-
-    /// Returns true if a line has layers, a periodic partner, a crack or a strip by its tag, and the line that would
-    /// take its place has another tag.
-    bool losesRole(SegmentRun kept, SegmentRun dropped) const {
-        const std::int32_t tag = domain_.segments[dropped.first].tag;
-        const auto ofTag = [tag](const auto &spec) { return spec.tag == tag; };
-        const auto &layers = document_.layers;
-        const auto &periodic = document_.periodic;
-        const auto &cracks = document_.cracks;
-        const auto &strips = document_.strips;
-        return tag != domain_.segments[kept.first].tag &&
-               (std::any_of(layers.begin(), layers.end(), ofTag) || std::any_of(strips.begin(), strips.end(), ofTag) ||
-                std::find(cracks.begin(), cracks.end(), tag) != cracks.end() ||
-                std::any_of(periodic.begin(), periodic.end(),
-                            [tag](const PeriodicSpec &spec) { return spec.from == tag || spec.to == tag; }));
-    }
-
-    /// Returns true if the same sizes and numbers of elements are given along two lines. Else neither can do for both.
-    bool haveSameSizes(SegmentRun first, SegmentRun second) const {
-        if (sources_ == nullptr) {
-            return true;
-        }
-        const auto sizeOf = [&](std::uint32_t segment) {
-            const auto [shape, part] = sources_->segments[segment];
-            const auto found = sizes_.find(shape);
-            return found != sizes_.end() ? found->second[part] : PartSize{0.0, 0.0};
-        };
-        // A part of a curve has a share of the curve's number, which depends on the rest of it.
-        const auto isWhole = [&](SegmentRun run) {
-            const CurveStretch &start = domain_.segments[run.first].stretch;
-            const CurveStretch &end = domain_.segments[run.end - 1].stretch;
-            return !start.follows() || (start.t0 == 0.0 && end.t1 == 1.0);
-        };
-        const std::uint32_t elements = elementsOf(first.first);
-        const bool counted = elements == 0 || (isWhole(first) && isWhole(second) && !biasOf(first.first).any() &&
-                                               !biasOf(second.first).any());
-        return counted && elements == elementsOf(second.first) && sizeOf(first.first) == sizeOf(second.first);
-    }
-
-    static constexpr int kMaxDivisions = 8; ///< attempts
-
-    const Document &document_;
-    std::map<std::int32_t, PartSegments> counted_;
-    DomainSources own_;
-    DomainSources *sources_;                                     ///< null: nobody needs them
-    std::map<std::uint32_t, std::vector<std::uint32_t>> counts_; ///< by shape, of each segment of its outline
-    std::map<std::uint32_t, std::vector<std::uint32_t>> parts_;  ///< the same: tagged parts
-    std::map<std::uint32_t, std::vector<PartSize>> sizes_;       ///< the same
-    Domain domain_;
-    NodeMerger merger_;
-    std::vector<SegmentRun> loops_;
-    std::vector<JointNode> joints_;
-    std::vector<std::uint32_t> shapes_; ///< per segment, as drawn
-    std::vector<std::uint32_t> shares_; ///< per segment: see DividedSegments::elements
-    bool flattened_ = false;            ///< some chords were chosen here, regardless of what is near
+    DomainSources own; ///< where nobody else wants the sources
+    GivenSizes given;
+    DrawnDomain drawn;
 };
 
 /// Returns the sizes of the nodes and regions of a document.
@@ -391,34 +67,9 @@ PlacedSizes placedSizes(const Document &document) {
     return placed;
 }
 
-} // namespace
-
-Domain toDomain(const Document &document) {
-    return DocumentDomain(document, nullptr).build();
-}
-
-Domain toDomain(const Document &document, DomainSources &sources) {
-    return DocumentDomain(document, &sources).build();
-}
-
-SpacingSpec spacingOf(const Document &document) {
-    if (!document.elementCounts.empty() || hasSegmentSizes(document)) {
-        return jobOf(document).spacing;
-    }
-    SpacingSpec spacing = rulesOf(document);
-    spacing.placed = placedSizes(document);
-    return spacing;
-}
-
-MeshingJob jobOf(const Document &document) {
-    DocumentDomain made(document, nullptr);
-    MeshingJob job{made.build(), rulesOf(document), document.options};
-    job.spacing.placed = placedSizes(document);
-    job.spacing.placed.elements = made.elements();
-    job.spacing.placed.biases = made.biases();
-    job.spacing.placed.segments = made.sizes();
-    // A deleted part may have left its layers, its periodic partner, its crack, its strip or its rows, as it may its
-    // size.
+/// Adds what the boundary parts and regions of a document are to become, such as layers, to its job. A deleted part may
+/// have left its layers, its periodic partner, its crack, its strip or its rows, as it may its size.
+void addRoles(const Document &document, MeshingJob &job) {
     std::unordered_set<std::int32_t> tags, regions{1};
     for (const DomainSegment &segment : job.domain.segments) {
         tags.insert(segment.tag);
@@ -438,6 +89,36 @@ MeshingJob jobOf(const Document &document) {
                  [&](const MappedSpec &spec) { return regions.contains(spec.region); });
     std::copy_if(document.regionElements.begin(), document.regionElements.end(), std::back_inserter(job.regionElements),
                  [&](const RegionElements &own) { return regions.contains(own.region); });
+}
+
+} // namespace
+
+Domain toDomain(const Document &document) {
+    return std::move(BuiltDomain(document, nullptr).drawn.domain);
+}
+
+Domain toDomain(const Document &document, DomainSources &sources) {
+    return std::move(BuiltDomain(document, &sources).drawn.domain);
+}
+
+SpacingSpec spacingOf(const Document &document) {
+    if (!document.elementCounts.empty() || hasSegmentSizes(document)) {
+        return jobOf(document).spacing;
+    }
+    SpacingSpec spacing = rulesOf(document);
+    spacing.placed = placedSizes(document);
+    return spacing;
+}
+
+MeshingJob jobOf(const Document &document) {
+    BuiltDomain built(document, nullptr);
+    PlacedSizes placed = placedSizes(document);
+    placed.elements = built.given.elements(built.drawn);
+    placed.biases = built.given.biases(built.drawn);
+    placed.segments = built.given.sizes(built.drawn);
+    MeshingJob job{std::move(built.drawn.domain), rulesOf(document), document.options};
+    job.spacing.placed = std::move(placed);
+    addRoles(document, job);
     return job;
 }
 
