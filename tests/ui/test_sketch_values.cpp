@@ -1,5 +1,6 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -182,6 +183,39 @@ TEST_CASE("Typed sizes: where no dimension holds the length, its field names wha
     REQUIRE(driver.has("inspector/length/fault"));
     CHECK(driver.context().fieldFault.text.starts_with("length = 4 cannot hold together with Fixed 1 and Fixed 2"));
     CHECK_FALSE(driver.has("fieldoffer/change"));
+}
+
+TEST_CASE("Typed sizes: a radius and the width of a rectangle offer what holds them, also a parameter") {
+    ValueSketcher driver;
+    driver.rectangle({1, 7}, {4, 9});
+    driver.key('C');
+    driver.dragPlaces({7, 8}, {8, 8});
+    driver.key('V');
+    REQUIRE(driver.document().shapes.size() == 3);
+    const std::uint32_t box = driver.document().shapes[1]->id, circle = driver.document().shapes[2]->id;
+    driver.add(ConstraintKind::HorizontalDistance, {{box, SketchPartKind::Node, 0}, {box, SketchPartKind::Node, 1}});
+    driver.add(ConstraintKind::Diameter, {{circle, SketchPartKind::Segment, 0}});
+    const NumberAddress diameter{NumberOwner::ofConstraint(driver.document().constraints.back()->id), Quantity::Value};
+    Result<Document> named = setParameters(driver.document(), {{"d", "2"}});
+    REQUIRE(named.ok());
+    driver.context().document.apply(setFormula(*std::move(named), diameter, "d"), "Parameters");
+    REQUIRE(driver.document().formulas.contains(diameter));
+    const auto typeAndTake = [&](std::uint32_t shape, const char *field, const char *text) {
+        driver.context().selection.clear();
+        driver.context().selection.shapes.insert(shape);
+        driver.settle();
+        driver.fill(field, text);
+        CHECK(driver.has(std::string(field) + "/fault"));
+        driver.click("fieldoffer/change");
+        driver.settle();
+        CHECK_FALSE(driver.has("fieldoffer/change"));
+    };
+    typeAndTake(box, "inspector/size/x", "5");
+    CHECK(boundsOf(*driver.document().shapes[1]).size().x == doctest::Approx(5.0));
+    typeAndTake(circle, "inspector/radius", "1.5");
+    CHECK(circleRadius(*driver.document().shapes[2]) == doctest::Approx(1.5));
+    CHECK(driver.document().parameters[0].expression == "3");
+    CHECK(driver.document().formulas.at(diameter) == "d");
 }
 
 TEST_CASE("Values of the sketch: a new dimension opens its field with the measured value") {
