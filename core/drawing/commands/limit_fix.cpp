@@ -109,7 +109,9 @@ std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verd
     }
     switch (verdict.limit) {
     case MeshLimit::MaxGrowth:
-        return fixGrowth(document, verdict, spacing != nullptr ? spacing->gradation() : kDefaultGradation);
+        return fixGrowth(document, verdict,
+                         spacing != nullptr ? spacing->gradation()
+                                            : document.spacing.gradation.value_or(kDefaultGradation));
     case MeshLimit::MinAcross:
         return fixAcross(document, verdict);
     case MeshLimit::MinLength:
