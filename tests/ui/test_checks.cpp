@@ -1,4 +1,5 @@
 // The fix beside a broken limit in the checks panel.
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "tests/ui/meshed_square.hpp"
 #include "ui/parts/fix_trial.hpp"
