@@ -272,7 +272,12 @@ void SelectTool::selectInside(Vec2 end, Shell &context) {
 }
 
 void SelectTool::release(const CanvasEvent &event, Shell &context) {
-    const bool moved = glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
+    const double slack = static_cast<double>(context.px(3));
+    // A loop may end where it began.
+    const bool looped = mode_ == Mode::Boxing && std::any_of(lasso_.begin(), lasso_.end(), [&](Vec2 place) {
+                            return glm::distance(context.view.camera.toPixel(place), pressPixel_) > slack;
+                        });
+    const bool moved = looped || glm::distance(event.pixel, pressPixel_) > slack;
     single_ = pressedControl_ && !moved;
     if (mode_ == Mode::Boxing && moved) {
         selectInside(event.place, context);
