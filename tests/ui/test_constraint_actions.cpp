@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront::test {
 
@@ -114,6 +117,22 @@ TEST_CASE("Sketch: each kind is offered for parts that it fits, and none for a s
     CHECK(driver.offers("diameter"));
     driver.context().selection.sources.insert(0);
     CHECK_FALSE(driver.offers("radius"));
+}
+
+TEST_CASE("Sketch: a number typed over an expression of the same value is not reported as a mismatch") {
+    Sketcher driver;
+    Result<Document> named = setParameters(driver.document(), {{"d", "1"}});
+    REQUIRE(named.ok());
+    driver.context().document.apply(*std::move(named), "Parameters");
+    driver.context().selection.clear();
+    driver.context().selection.shapes = {2};
+    driver.settle();
+    driver.fill("inspector/radius", "d/2");
+    REQUIRE(driver.radius(2) == 0.5);
+    REQUIRE(driver.document().formulas.size() == 1);
+    driver.fill("inspector/radius", "0.5");
+    CHECK(driver.document().formulas.empty());
+    CHECK_FALSE(driver.names("no longer matches"));
 }
 
 TEST_CASE("Sketch: the inspector edits dimensions, also by parameters, shows what is free, and removes") {

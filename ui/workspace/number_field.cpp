@@ -70,12 +70,11 @@ void keepFormula(Workspace &context, std::string_view name, const FieldAddress &
         return;
     }
     const std::string text = formulaOf(typed);
-    if (changesNumber) {
-        if (context.entered.frame != ImGui::GetFrameCount()) {
-            context.entered = {{}, ImGui::GetFrameCount()};
-        }
-        context.entered.texts[*address] = text;
-    } else {
+    if (context.entered.frame != ImGui::GetFrameCount()) {
+        context.entered = {{}, ImGui::GetFrameCount()};
+    }
+    context.entered.texts[*address] = text;
+    if (!changesNumber) {
         context.applyCommand(setFormula(*context.document.current(), *address, text), "Change formula");
     }
 }

@@ -3,6 +3,8 @@
 #include "core/drawing/constraints/conflict.hpp"
 #include "core/drawing/constraints/constraint_equations.hpp"
 #include "core/drawing/constraints/constraint_figures.hpp"
+#include "core/drawing/constraints/implied_constraint.hpp"
+#include "core/drawing/constraints/orient.hpp"
 #include "core/drawing/constraints/settle.hpp"
 #include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/shapes/references.hpp"
@@ -205,11 +207,11 @@ Result<Document> addConstraint(const Document &document, SketchConstraint constr
     const ConstraintJudgement judgement = judgeConstraint(sketch.system, id);
     const std::set<std::uint32_t> others(judgement.with.begin(), judgement.with.end());
     if (judgement.verdict == ConstraintVerdict::Redundant) {
-        return naming(error("constraint-redundant",
-                            others.empty() ? name + " always holds here: the form of the shapes implies it"
-                                           : name + " follows from " + relationNames(sketch, others),
-                            "leave it out, or remove one of these first"),
-                      sketch, others);
+        return others.empty()
+                   ? impliedFault(next, id)
+                   : naming(error("constraint-redundant", name + " follows from " + relationNames(sketch, others),
+                                  "leave it out, or remove one of these first"),
+                            sketch, others);
     }
     if (judgement.verdict == ConstraintVerdict::Conflict) {
         std::set<std::uint32_t> all = others;
