@@ -119,6 +119,13 @@ TEST_CASE("Sketch: each kind is offered for parts that it fits, and none for a s
     CHECK_FALSE(driver.offers("radius"));
 }
 
+TEST_CASE("Sketch: of sides that are not parallel, the angle is offered and no distance") {
+    Sketcher driver;
+    driver.choose({{1, 0}, {1, 3}});
+    CHECK(driver.offers("angle"));
+    CHECK_FALSE(driver.offers("distance"));
+}
+
 TEST_CASE("Sketch: a number typed over an expression of the same value is not reported as a mismatch") {
     Sketcher driver;
     Result<Document> named = setParameters(driver.document(), {{"d", "1"}});

@@ -23,6 +23,35 @@ namespace forefront::constraint_test {
 using namespace edit_test;
 using Kind = ConstraintKind;
 
+TEST_CASE("Dimensions: lines that are not parallel have no distance") {
+    const Document slanted = documentOf({makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 3}, {0, 2}})});
+    const Result<SketchConstraint> made = makeConstraint(slanted, Kind::Distance, {segment(1, 0), segment(1, 2)});
+    REQUIRE_FALSE(made.ok());
+    CHECK(made.faults().front().code == "bad-constraint");
+    CHECK(made.faults().front().message ==
+          "Distance 1: segment 1 of polygon 1 and segment 3 of polygon 1 are not parallel");
+    CHECK(made.faults().front().advice == "add an angle, or make them parallel first");
+    CHECK(makeConstraint(slanted, Kind::Angle, {segment(1, 0), segment(1, 2)}).ok());
+
+    // A side that is turned afterwards makes the distance one that does not hold; a project with it says so.
+    Document document = documentOf({makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 3}, {0, 3}})});
+    constrain(document, Kind::Distance, {segment(1, 0), segment(1, 2)});
+    CHECK(sketchState(document).violated.empty());
+    const Result<Document> turned = setHandle(document, {1, 3}, {0, 2});
+    REQUIRE(turned.ok());
+    CHECK(sketchState(*turned).violated == std::set<std::uint32_t>{document.constraints.back()->id});
+    ImportNotes notes;
+    const std::string text = projectText(*turned);
+    SourceText source;
+    source.text = text;
+    source.notes = &notes;
+    REQUIRE(readProjectText(source).ok());
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries()[0].message.starts_with("constraint 'Distance 1': its lines are not parallel"));
+    CHECK(notes.entries()[0].severity == Severity::Warning);
+    REQUIRE(addConstraint(*turned, *turned->constraints.back()).faults().front().code == "bad-constraint");
+}
+
 TEST_CASE("Dimensions: a value that a formula or a lock sets is refused with its name") {
     Document document =
         documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {8, 0}}), makeShape(ShapeKind::Circle, {{30, 0}, {34, 0}})});

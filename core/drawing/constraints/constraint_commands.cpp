@@ -153,6 +153,17 @@ std::string kindName(ConstraintKind kind) {
                                                      "Length",
                                                      "Distance",
                                                      "Horizontal distance",
+/// Returns the error for a distance between lines that are not parallel; empty for all else.
+Diagnostics slantFault(const Document &document, const SketchConstraint &constraint) {
+    if (!isSlantedDistance(document, constraint)) {
+        return {};
+    }
+    return error("bad-constraint",
+                 constraint.name + ": " + partName(document, constraint.parts[0]) + " and " +
+                     partName(document, constraint.parts[1]) + " are not parallel",
+                 "add an angle, or make them parallel first");
+}
+
                                                      "Vertical distance",
                                                      "Angle",
                                                      "Radius",
@@ -206,6 +217,9 @@ Result<Document> addConstraint(const Document &document, SketchConstraint constr
     const DocumentSketch sketch = sketchOf(next, document, {.places = &next});
     const ConstraintJudgement judgement = judgeConstraint(sketch.system, id);
     const std::set<std::uint32_t> others(judgement.with.begin(), judgement.with.end());
+    if (Diagnostics fault = slantFault(document, constraint); !fault.empty()) {
+        return fault;
+    }
     if (judgement.verdict == ConstraintVerdict::Redundant) {
         return others.empty()
                    ? impliedFault(next, id)
@@ -223,6 +237,9 @@ Result<Document> addConstraint(const Document &document, SketchConstraint constr
                                 : "no solution was found near by for " + name + with,
                             clashAdvice(sketch, others)),
                       sketch, others);
+    }
+    if (Diagnostics fault = slantFault(document, constraint); !fault.empty()) {
+        return fault;
     }
     return settle(document, next);
 }

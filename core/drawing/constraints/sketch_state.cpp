@@ -64,7 +64,7 @@ SketchState sketchState(const Document &document) {
     for (const auto &constraint : document.constraints) {
         if (partsFault(document, constraint->kind, constraint->parts).empty()) {
             addEquations(sketch, *constraint, document);
-            if (!holdsIn(document, *constraint)) {
+            if (!holdsIn(document, *constraint) || isSlantedDistance(document, *constraint)) {
                 state.violated.insert(constraint->id);
             }
         }
