@@ -72,4 +72,22 @@ TEST_CASE("Dimensions: a value that a formula or a lock sets is refused with its
     CHECK(refused.faults().front().advice == "leave it out");
 }
 
+TEST_CASE("Dimensions: circles stand for their centres in a distance") {
+    Document document = everyShape();
+    const auto partsFor = [&](Kind kind, const SketchPart &a, const SketchPart &b) {
+        const Result<SketchConstraint> made = makeConstraint(document, kind, {a, b});
+        REQUIRE(made.ok());
+        return made->parts;
+    };
+    CHECK(partsFor(Kind::Distance, segment(3, 1), segment(4)) == std::vector{node(4, 0), segment(3, 1)});
+    CHECK(partsFor(Kind::Distance, segment(4), segment(8)) == std::vector{node(4, 0), node(8, 0)});
+    CHECK(partsFor(Kind::HorizontalDistance, segment(6), segment(8)) == std::vector{node(6, 0), node(8, 0)});
+    CHECK(partsFor(Kind::VerticalDistance, segment(7, 1), segment(7, 3)) == std::vector{node(7, 1), node(7, 0)});
+    CHECK(partsFor(Kind::Distance, segment(1, 1), node(5, 0)) ==
+          std::vector{SketchPart{1, SketchPartKind::Centre, 1}, node(5, 0)});
+    constrain(document, Kind::Distance, {segment(4), segment(8)});
+    const Vec2 apart = handlesOf(*findShape(document, 8))[0] - handlesOf(*findShape(document, 4))[0];
+    CHECK(document.constraints.back()->value == doctest::Approx(length(apart)));
+}
+
 } // namespace forefront::constraint_test

@@ -60,6 +60,7 @@ void SelectTool::selectShape(std::uint32_t shape, bool adds, Selection &selectio
     const bool removes = adds && selection.shapes.contains(shape);
     for (const std::uint32_t member : single_ ? std::set{shape} : shapesGroupedWith(*start_, shape)) {
         removes ? void(selection.shapes.erase(member)) : void(selection.shapes.insert(member));
+        selection.sides.erase(member);
     }
 }
 
@@ -102,6 +103,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
             choose(selection.segments, hit.segment->ref, adds);
         } else {
             selectShape(hit.shape, adds, selection);
+            selection.sides[hit.shape] = hit.segment->ref.segment;
         }
         break;
     case Hit::Kind::Inside:
