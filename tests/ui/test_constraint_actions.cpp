@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront::test {
 
@@ -114,6 +117,71 @@ TEST_CASE("Sketch: each kind is offered for parts that it fits, and none for a s
     CHECK(driver.offers("diameter"));
     driver.context().selection.sources.insert(0);
     CHECK_FALSE(driver.offers("radius"));
+}
+
+TEST_CASE("Sketch: circles and edges that are selected with Shift get the distance of their centres") {
+    Sketcher driver;
+    const auto click = [&](Vec2 place, bool shift) {
+        driver.hold({Modifiers::kShift}, shift);
+        driver.clickPlace(place);
+        driver.hold({Modifiers::kShift}, false);
+        driver.settle();
+    };
+    const auto distanceParts = [&] {
+        driver.constrain("distance");
+        const std::vector<SketchPart> parts = driver.document().constraints.back()->parts;
+        driver.key('Z', {Modifiers::kControl});
+        driver.settle();
+        return parts;
+    };
+    const SketchPart first{2, SketchPartKind::Node, 0}, second{3, SketchPartKind::Node, 0};
+    const Vec2 onFirst{2.5, 3}, onSecond{4.5, 3.6}, onEdge{3, 1.16};
+    click(onFirst, false);
+    click(onEdge, true);
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1, 2});
+    CHECK(distanceParts() == std::vector<SketchPart>{first, {1, SketchPartKind::Segment, 0}});
+    CHECK(driver.offers("tangent"));
+    const auto menu = driver.context().actions.find("shape.dimension");
+    CHECK(menu->enabled(driver.context())); // else the menu of the selection leaves it out
+    click(onFirst, false);
+    click(onSecond, true);
+    CHECK(distanceParts() == std::vector<SketchPart>{first, second});
+    for (const char *word : {"horizontalDistance", "verticalDistance"}) {
+        CHECK(driver.offers(word));
+    }
+    driver.key(key::kEscape);
+    click(onEdge, false);
+    click(onEdge, false); // the edge itself
+    click(onFirst, true);
+    CHECK(distanceParts() == std::vector<SketchPart>{first, {1, SketchPartKind::Segment, 0}});
+    // Alone, a clicked shape is meant as a whole.
+    driver.key(key::kEscape);
+    click(onEdge, false);
+    CHECK_FALSE(driver.offers("length"));
+    CHECK_FALSE(menu->enabled(driver.context()));
+}
+
+TEST_CASE("Sketch: of sides that are not parallel, the angle is offered and no distance") {
+    Sketcher driver;
+    driver.choose({{1, 0}, {1, 3}});
+    CHECK(driver.offers("angle"));
+    CHECK_FALSE(driver.offers("distance"));
+}
+
+TEST_CASE("Sketch: a number typed over an expression of the same value is not reported as a mismatch") {
+    Sketcher driver;
+    Result<Document> named = setParameters(driver.document(), {{"d", "1"}});
+    REQUIRE(named.ok());
+    driver.context().document.apply(*std::move(named), "Parameters");
+    driver.context().selection.clear();
+    driver.context().selection.shapes = {2};
+    driver.settle();
+    driver.fill("inspector/radius", "d/2");
+    REQUIRE(driver.radius(2) == 0.5);
+    REQUIRE(driver.document().formulas.size() == 1);
+    driver.fill("inspector/radius", "0.5");
+    CHECK(driver.document().formulas.empty());
+    CHECK_FALSE(driver.names("no longer matches"));
 }
 
 TEST_CASE("Sketch: the inspector edits dimensions, also by parameters, shows what is free, and removes") {

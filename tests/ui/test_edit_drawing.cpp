@@ -349,6 +349,24 @@ TEST_CASE("Select: a drag with Alt is a lasso, which leaves out what lies in its
     CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1, 2});
 }
 
+TEST_CASE("Select: a lasso may end where it began, and Alt and a click select nothing") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {2, 2});
+    driver.rectangle({4, 4}, {5, 5});
+    driver.key('V');
+    driver.context().selection.clear();
+    driver.hold({Modifiers::kAlt}, true);
+    driver.press(driver.pixel({0.5, 0.5}));
+    for (const Vec2 place : {Vec2{2.5, 0.5}, Vec2{2.5, 2.5}, Vec2{0.5, 2.5}, Vec2{0.5, 0.5}}) {
+        driver.moveToPlace(place);
+    }
+    driver.release(driver.pixel({0.5, 0.5}));
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
+    driver.clickPlace({0.5, 0.5});
+    driver.hold({Modifiers::kAlt}, false);
+    CHECK(driver.context().selection.empty());
+}
+
 TEST_CASE("Select: a second click on a shape selects one segment, which can have its own tag and name") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

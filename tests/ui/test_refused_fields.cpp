@@ -194,6 +194,11 @@ TEST_CASE("Fields: a number is shown in full while it is edited, and rounded at 
     CHECK(ui::editedNumber(1e6) == "1000000");
     CHECK(ui::editedNumber(0.1) == "0.1");
     CHECK(ui::editedNumber(-2.5e-7) == "-2.5e-07");
+    CHECK(ui::editedNumber(-0.0) == "0");
+    CHECK(ui::number(-0.0) == "0");
+    CHECK(ui::listedNumber(1.0 - 0.28) == "0.72"); // 0.72 and two units in its last place
+    CHECK(ui::listedNumber(5312945.01234) == "5312945.01234");
+    CHECK(ui::listedNumber(-0.0) == "0");
 }
 
 TEST_CASE("Refused fields: radii of ellipses and boundary tags") {

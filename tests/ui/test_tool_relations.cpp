@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 using namespace forefront;
@@ -104,4 +106,48 @@ TEST_CASE("Relations: the axis of a slot and the first radius of a regular polyg
         centre = centre + (1.0 / static_cast<double>(nodes.size())) * node;
     }
     CHECK(nodes[0].y == doctest::Approx(centre.y).epsilon(1e-12));
+}
+
+TEST_CASE("Relations: tangent arcs keep their tangents, and the closing side its direction, as constraints") {
+    Draughtsman driver;
+    driver.context().snapping.addsConstraints = true;
+    driver.key('P');
+    driver.clickPlace({1, 1});
+    driver.clickPlace({4, 1});
+    driver.key('A'); // tangent to the side before
+    driver.clickPlace({4, 3});
+    driver.key('L');
+    driver.clickPlace({1, 3});
+    driver.key(key::kEnter);
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    std::vector<std::vector<SketchPart>> tangents;
+    bool upright = false;
+    for (const auto &constraint : driver.document().constraints) {
+        if (constraint->kind == ConstraintKind::Tangent) {
+            tangents.push_back(constraint->parts);
+        }
+        upright = upright || (constraint->kind == ConstraintKind::Vertical &&
+                              constraint->parts == std::vector<SketchPart>{{1, SketchPartKind::Segment, 3}});
+    }
+    CHECK(upright);
+    REQUIRE(tangents.size() == 2);
+    CHECK(tangents[0] == std::vector<SketchPart>{{1, SketchPartKind::Segment, 0},
+                                                 {1, SketchPartKind::Segment, 1},
+                                                 {1, SketchPartKind::Node, 1},
+                                                 {1, SketchPartKind::Node, 1}});
+    CHECK(tangents[1] == std::vector<SketchPart>{{1, SketchPartKind::Segment, 2},
+                                                 {1, SketchPartKind::Segment, 1},
+                                                 {1, SketchPartKind::Node, 2},
+                                                 {1, SketchPartKind::Node, 2}});
+    // A dragged node keeps them.
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.dragPlaces({4, 1}, {5, 0.6});
+    driver.settle();
+    const Outline outline = outlineOf(*driver.document().shapes[0]);
+    for (const std::size_t k : {1U, 2U}) {
+        CHECK(std::fabs(cross(outline.curve(k - 1).tangent(1.0), outline.curve(k).tangent(0.0))) < 1e-6);
+    }
+    CHECK(driver.document().shapes[0]->nodes[0].x == driver.document().shapes[0]->nodes[3].x);
 }

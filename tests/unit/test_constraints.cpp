@@ -21,6 +21,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -369,6 +370,32 @@ TEST_CASE("Constraints: the state tells what is free, determined, redundant and 
     width.value = 41.0;
     wrong.constraints[5] = std::make_shared<const SketchConstraint>(width);
     CHECK(sketchState(wrong).violated == std::set<std::uint32_t>{kWidth});
+}
+
+TEST_CASE("Constraints: a constraint never raises the degrees of freedom") {
+    // Shapes of all kinds, and two squares with a common side.
+    Document document = everyShape();
+    document = addShapes(document, {square({0, 40}, 4.0), square({4, 40}, 4.0)}).value();
+    document = *setLocked(document, {2}, true);
+    std::size_t last = std::numeric_limits<std::size_t>::max();
+    const auto add = [&](Kind kind, std::vector<SketchPart> parts) {
+        constrain(document, kind, std::move(parts));
+        const std::size_t now = sketchState(document).degrees;
+        CHECK(now < last);
+        last = now;
+    };
+    // Path 10 + arc 1 + Bézier 4, rectangle 4, circles 3 + 3, point 2, ellipse 5, slot 5, rounded rectangle 5, two
+    // squares 12, of which the first radius takes one.
+    add(Kind::Radius, {segment(4)});
+    CHECK(last == 15 + 4 + 6 + 2 + 5 + 5 + 5 + 12 - 1);
+    add(Kind::Equal, {segment(4), segment(8)});
+    add(Kind::Distance, {segment(3, 1), segment(4)});
+    add(Kind::Horizontal, {node(7, 0), node(7, 1)});
+    add(Kind::Radius, {segment(9, 4)});
+    add(Kind::HorizontalDistance, {node(6, 0), node(5, 0)});
+    add(Kind::Length, {segment(1, 0)});
+    add(Kind::Horizontal, {segment(10, 0)});
+    add(Kind::Length, {segment(11, 1)});
 }
 
 TEST_CASE("Constraints: undo restores the document exactly, and equality sees constraints") {

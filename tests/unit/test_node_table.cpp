@@ -47,6 +47,11 @@ TEST_CASE("Table of nodes: what is copied has all digits and moves nothing when 
     }
 }
 
+TEST_CASE("Table of nodes: a node at a negative zero is listed at 0") {
+    const Document document = documentOf({makeShape(ShapeKind::Polyline, {{-0.0, 1}, {2, -0.0}})});
+    CHECK(nodeTableText(nodeRows(document, {1})) == "shape\tnode\tx\ty\n1\t1\t0\t1\n1\t2\t2\t0\n");
+}
+
 TEST_CASE("Table of nodes: separators, decimal commas and headings") {
     const std::vector<Vec2> expected{{0, 0}, {4.5, 0}, {0, 1200.25}};
     for (const std::string_view text : {

@@ -13,6 +13,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace forefront;
 using namespace forefront::edit_test;
 
@@ -50,6 +52,19 @@ TEST_CASE("snap: nodes take precedence over segments, and segments over the grid
     query.off = false;
     query.filter = [](const Shape &) { return false; };
     CHECK(snap(index, query).kind == SnapKind::Grid);
+}
+
+TEST_CASE("snap: the grid has no negative zero") {
+    const PickIndex index(snapDocument({}));
+    SnapQuery query;
+    query.tolerance = 0.2;
+    for (const double pitch : {0.1, 1.0, 3.0}) {
+        query.gridPitch = pitch;
+        query.at = {-0.01, -0.02};
+        CHECK(snap(index, query).at == Vec2{});
+        CHECK_FALSE(std::signbit(snap(index, query).at.x));
+        CHECK_FALSE(std::signbit(snap(index, query).at.y));
+    }
 }
 
 TEST_CASE("snap: what slides along a segment or a guide takes its other coordinate from the grid") {

@@ -1,7 +1,12 @@
 #include "ui/canvas/dimension_lines.hpp"
 
+#include "ui/canvas/label_space.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -15,12 +20,17 @@ constexpr double kFromPart = 3.0;                 ///< between a part and its ex
 constexpr double kDimensionWidth = 1.0;           ///< of all lines
 constexpr double kLeastDistance = 24.0;           ///< of the text from what is measured
 constexpr double kTextRim = 5.0, kTextRimY = 2.0; ///< of the plate around a text
+constexpr double kLevel = 22.0;                   ///< between a place of the text and the next one further out
+constexpr int kLevels = 5, kOutsideLevels = 8;    ///< such places beside what is measured, and beside its shapes
+/// Distance from what is measured up to which a text goes outside of the shapes in any case.
+constexpr double kFarFromMeasured = 160.0;
 
 class DimensionDrawer {
   public:
-    DimensionDrawer(CanvasPainter &painter, const DimensionFigure &figure, const std::string &text,
+    DimensionDrawer(CanvasPainter &painter, DimensionRoom &room, const DimensionFigure &figure, const std::string &text,
                     const DimensionStyle &style)
-        : painter_(painter), figure_(figure), text_(text), style_(style), size_(painter.labelSize(text, style.font)) {}
+        : painter_(painter), room_(room), figure_(figure), text_(text), style_(style),
+          size_(painter.labelSize(text, style.font)) {}
 
     std::optional<Pixel> draw(std::optional<Vec2> label) {
         const Box2 visible = painter_.camera().visible();
@@ -77,53 +87,130 @@ class DimensionDrawer {
 
     Pixel placed(Vec2 place) const { return offsetOf(onScreen(place - base())); }
 
-    /// Returns the first offset at which the text covers nothing.
+    /// Returns the first offset at which the text covers nothing, its line runs along no other dimension line, and
+    /// neither meets what the other dimensions have; without such an offset, the first at which the text covers
+    /// nothing.
     std::optional<Pixel> found() const {
-        std::vector<Pixel> offsets;
-        const Pixel out{figure_.outward.x, -figure_.outward.y}, along{figure_.along.x, -figure_.along.y};
-        const double reach = std::abs(out.x) * 0.5 * size_.x + std::abs(out.y) * 0.5 * size_.y;
-        const double least = figure_.form == DimensionFigure::Form::Linear ? kLeastDistance
-                             : figure_.form == DimensionFigure::Form::Radial
-                                 ? pixels(distance(figure_.from, figure_.to)) + kLeastDistance
-                                 : std::min(36.0, 0.6 * pixels(distance(figure_.from, figure_.to)));
-        for (const double level : {0.0, 20.0, 40.0, 60.0, 80.0}) {
-            for (const double side : {1.0, -1.0}) {
-                if (side < 0.0 && figure_.form == DimensionFigure::Form::Angular) {
-                    continue; // beyond the apex is another angle
-                }
-                const double away = figure_.form == DimensionFigure::Form::Linear ? std::max(least, reach + 6.0) + level
-                                                                                  : least + reach + level;
-                offsets.push_back(offsetOf(side * away * out));
-                for (const double shift : {0.2, -0.2}) {
-                    if (figure_.form == DimensionFigure::Form::Linear) {
-                        const double share = shift * pixels(distance(figure_.from, figure_.to));
-                        offsets.push_back(offsetOf(side * away * out + share * along));
-                    }
-                }
+        const std::vector<Pixel> offsets = figure_.form == DimensionFigure::Form::Linear   ? linearOffsets()
+                                           : figure_.form == DimensionFigure::Form::Radial ? radialOffsets()
+                                                                                           : angularOffsets();
+        for (const Pixel &offset : offsets) {
+            if (keepsClear(offset) && painter_.freeOffset(base(), {&offset, 1}, text_, style_.font)) {
+                return offset;
             }
         }
         return painter_.freeOffset(base(), offsets, text_, style_.font);
     }
 
+    /// Returns a direction in the plane as one on the screen.
+    static Pixel turned(Vec2 way) { return {way.x, -way.y}; }
+    /// Returns how far the text reaches from its middle in a direction.
+    double reachOf(Pixel way) const { return std::abs(way.x) * 0.5 * size_.x + std::abs(way.y) * 0.5 * size_.y; }
+
+    /// Returns offsets outside of the shapes, unless these reach far beyond what is measured, then beside it.
+    std::vector<Pixel> linearOffsets() const {
+        std::vector<Pixel> offsets;
+        const Pixel out = turned(figure_.outward), along = turned(figure_.along);
+        const double measured = pixels(distance(figure_.from, figure_.to));
+        const double least = std::max(kLeastDistance, reachOf(out) + 6.0);
+        const auto add = [&](double away) {
+            for (const double share : {0.0, 0.2, -0.2}) {
+                offsets.push_back(offsetOf(away * out + share * measured * along));
+            }
+        };
+        const double clear = pixels(figure_.clear), behind = pixels(figure_.clearBehind);
+        const double farthest = std::max(kFarFromMeasured, 2.0 * measured);
+        for (int level = 0; level < kOutsideLevels; ++level) {
+            for (const double side : {1.0, -1.0}) {
+                const double rim = side > 0.0 ? clear : behind;
+                if (rim <= farthest) {
+                    add(side * (rim + least + level * kLevel));
+                }
+            }
+        }
+        for (int level = 0; level < kLevels; ++level) {
+            for (const double side : {1.0, -1.0}) {
+                add(side * (least + level * kLevel));
+            }
+        }
+        return offsets;
+    }
+
+    /// Returns offsets beyond the arc, in directions that the arc has.
+    std::vector<Pixel> radialOffsets() const {
+        std::vector<Pixel> offsets;
+        const bool whole = std::abs(figure_.sweep) > 2.0 * std::numbers::pi - 1e-6;
+        const double radius = pixels(distance(figure_.from, figure_.to));
+        for (int level = 0; level < kLevels; ++level) {
+            for (const double share :
+                 whole ? std::array{0.0, 0.5, 0.25, 0.75, 0.125} : std::array{0.5, 0.3, 0.7, 0.1, 0.9}) {
+                const Pixel way = turned(figure_.wayAt(share));
+                offsets.push_back(offsetOf((radius + kLeastDistance + reachOf(way) + level * kLevel) * way));
+            }
+        }
+        return offsets;
+    }
+
+    std::vector<Pixel> angularOffsets() const {
+        std::vector<Pixel> offsets;
+        const Pixel out = turned(figure_.outward); // beyond the apex is another angle
+        const double least = std::min(36.0, 0.6 * pixels(distance(figure_.from, figure_.to)));
+        for (int level = 0; level < kLevels; ++level) {
+            offsets.push_back(offsetOf((least + reachOf(out) + level * kLevel) * out));
+        }
+        return offsets;
+    }
+
+    /// Returns the ends of the dimension line or arm for a text at a place.
+    std::pair<Vec2, Vec2> lineAt(Vec2 place) const {
+        if (figure_.form == DimensionFigure::Form::Linear) {
+            const Vec2 normal = leftNormal(figure_.along);
+            const auto footOf = [&](Vec2 p) { return p + dot(place - p, normal) * normal; };
+            return {footOf(figure_.from), footOf(figure_.to)};
+        }
+        return {figure_.from, place};
+    }
+
+    bool keepsClear(Pixel offset) const {
+        const Vec2 place = placeAt(offset);
+        const Camera &camera = painter_.camera();
+        const Pixel middle = camera.toPixel(place), size = painter_.scale() * size_;
+        if (!room_.isTextFree({middle.x - 0.5 * size.x, middle.y - 0.5 * size.y, size.x, size.y})) {
+            return false;
+        }
+        if (figure_.form == DimensionFigure::Form::Angular) {
+            return true;
+        }
+        const auto [from, to] = lineAt(place);
+        const Pixel a = camera.toPixel(from), b = camera.toPixel(to);
+        const bool alone = figure_.form == DimensionFigure::Form::Radial || room_.isLineFree(a, b);
+        const auto &labels = painter_.labels();
+        return alone && std::none_of(labels.begin(), labels.end(),
+                                     [&](const CanvasPainter::Placed &label) { return meets(label.rect, a, b); });
+    }
+
+    void take(Vec2 a, Vec2 b) { room_.takeSide(painter_.camera().toPixel(a), painter_.camera().toPixel(b)); }
     void line(Vec2 a, Vec2 b) { painter_.line(a, b, style_.colour, kDimensionWidth); }
     void arrow(Vec2 from, Vec2 to) { painter_.arrow(from, to, style_.colour, kDimensionWidth, kHead); }
 
-    /// Draws the line from a measured place to the dimension line and a little beyond.
-    void extension(Vec2 from, Vec2 to) {
+    /// Draws the line from what is measured to the dimension line and a little beyond.
+    void extension(std::array<Vec2, 2> measured, Vec2 to) {
+        const Vec2 from = distance(measured[0], to) <= distance(measured[1], to) ? measured[0] : measured[1];
         const double size = distance(from, to);
         if (pixels(size) > kFromPart) {
             const Vec2 way = (1.0 / size) * (to - from);
             painter_.line(from + plane(kFromPart) * way, to + plane(kExtension) * way, fade(style_.colour, 0.6),
                           kDimensionWidth);
+            take(from, to);
         }
     }
 
     void drawLinear(Vec2 place) {
-        const Vec2 normal = leftNormal(figure_.along);
-        const auto footOf = [&](Vec2 p) { return p + dot(place - p, normal) * normal; };
-        const Vec2 a = footOf(figure_.from), b = footOf(figure_.to), middle = midpoint(a, b);
-        extension(figure_.from, a);
-        extension(figure_.to, b);
+        const std::pair<Vec2, Vec2> ends = lineAt(place);
+        const Vec2 a = ends.first, b = ends.second, middle = midpoint(a, b);
+        room_.takeLine(painter_.camera().toPixel(a), painter_.camera().toPixel(b));
+        extension(figure_.fromLine, a);
+        extension(figure_.toLine, b);
         if (pixels(distance(a, b)) >= kRoomForHeads) {
             arrow(middle, a);
             arrow(middle, b);
@@ -136,24 +223,29 @@ class DimensionDrawer {
         const double at = dot(place - a, figure_.along), whole = dot(b - a, figure_.along);
         if (at < 0.0 || at > whole) {
             line(at < 0.0 ? a : b, place);
+            take(at < 0.0 ? a : b, place);
         }
     }
 
     void drawRadial(Vec2 place) {
         const Vec2 arm = place - figure_.from;
         const double size = length(arm), radius = distance(figure_.from, figure_.to);
-        const Vec2 way = size > 0.0 ? (1.0 / size) * arm : figure_.along;
+        const Vec2 wanted = size > 0.0 ? (1.0 / size) * arm : figure_.along, way = figure_.wayOnArc(wanted);
         const Vec2 rim = figure_.from + radius * way;
+        const bool aside = dot(way, wanted) < 1.0 - 1e-9; // the text lies where the arc is not
         if (figure_.diameter) {
             const Vec2 other = figure_.from - radius * way;
             arrow(figure_.from, rim);
-            arrow(figure_.from, other);
+            const bool whole = dot(figure_.wayOnArc(-1.0 * way), way) < -1.0 + 1e-9;
+            whole ? arrow(figure_.from, other) : line(figure_.from, other);
         } else {
             arrow(figure_.from, rim);
             painter_.dot(figure_.from, 2.0, style_.colour);
         }
-        if (size > radius) {
+        take(figure_.from, rim);
+        if (size > radius || aside) {
             line(rim, place);
+            take(rim, place);
         }
     }
 
@@ -180,6 +272,7 @@ class DimensionDrawer {
     }
 
     CanvasPainter &painter_;
+    DimensionRoom &room_;
     const DimensionFigure &figure_;
     const std::string &text_;
     const DimensionStyle &style_;
@@ -188,9 +281,9 @@ class DimensionDrawer {
 
 } // namespace
 
-std::optional<Pixel> drawDimension(CanvasPainter &painter, const DimensionFigure &figure, std::optional<Vec2> label,
-                                   const std::string &text, const DimensionStyle &style) {
-    return DimensionDrawer(painter, figure, text, style).draw(label);
+std::optional<Pixel> drawDimension(CanvasPainter &painter, DimensionRoom &room, const DimensionFigure &figure,
+                                   std::optional<Vec2> label, const std::string &text, const DimensionStyle &style) {
+    return DimensionDrawer(painter, room, figure, text, style).draw(label);
 }
 
 } // namespace forefront

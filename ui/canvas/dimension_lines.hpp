@@ -2,6 +2,7 @@
 
 #include "core/drawing/constraints/constraint_figures.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/canvas/dimension_room.hpp"
 
 #include <optional>
 #include <string>
@@ -17,9 +18,10 @@ struct DimensionStyle {
 };
 
 /// Draws a dimension: extension lines, a line or an arc with arrows, and its text, at `label` if that is given (see
-/// SketchConstraint::label), else where it covers nothing. Returns the offset of the text, for DimensionStyle::kept;
-/// nothing, and draws nothing, if it is out of view, too small, or there is no room.
-std::optional<Pixel> drawDimension(CanvasPainter &painter, const DimensionFigure &figure, std::optional<Vec2> label,
-                                   const std::string &text, const DimensionStyle &style);
+/// SketchConstraint::label), else where it covers nothing, outside of its shapes if possible and clear of the
+/// dimensions in `room`, to which it is added. Returns the offset of the text, for DimensionStyle::kept; nothing, and
+/// draws nothing, if it is out of view, too small, or there is no room.
+std::optional<Pixel> drawDimension(CanvasPainter &painter, DimensionRoom &room, const DimensionFigure &figure,
+                                   std::optional<Vec2> label, const std::string &text, const DimensionStyle &style);
 
 } // namespace forefront

@@ -9,7 +9,8 @@ void addActionNeeds(ActionRegistry &actions) {
     constexpr const char *kPathSegments =
         "select segments of a path by a second click; Edit > Convert to path makes one of any other shape";
     constexpr const char *kParts =
-        "select segments, each by a second click (more with Shift), nodes, circles or points";
+        "select nodes, circles, points, or segments by a second click; with Shift also shapes, each clicked at the "
+        "segment that is meant";
     constexpr const char *kShapes = "select whole shapes, not their nodes or segments";
     constexpr struct {
         const char *action, *needs;

@@ -2,6 +2,7 @@
 
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/constraints/constraint_figures.hpp"
+#include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
 
@@ -15,7 +16,23 @@
 namespace forefront {
 namespace {
 
-/// Returns the selected parts of the sketch: nodes, segments, and shapes of one segment or one node. Empty if anything
+/// Returns the part that a selected shape stands for: its only segment or node or, beside other parts, the segment at
+/// which it was clicked; none if there is no such part.
+std::optional<SketchPart> partOf(const Shape &shape, const Selection &selection) {
+    if (shape.is<PointForm>()) {
+        return SketchPart{shape.id, SketchPartKind::Node, 0};
+    }
+    if (taggedSegments(shape) == 1) {
+        return SketchPart{shape.id, SketchPartKind::Segment, 0};
+    }
+    const auto side = selection.sides.find(shape.id);
+    if (side == selection.sides.end() || selection.size() < 2) {
+        return std::nullopt;
+    }
+    return SketchPart{shape.id, SketchPartKind::Segment, side->second};
+}
+
+/// Returns the selected parts of the sketch: nodes, segments, and shapes that stand for one of these. Empty if anything
 /// else is selected.
 std::vector<SketchPart> selectedParts(const Document &document, const Selection &selection) {
     if (!selection.sources.empty() || !selection.markers.empty()) {
@@ -23,18 +40,21 @@ std::vector<SketchPart> selectedParts(const Document &document, const Selection 
     }
     std::vector<SketchPart> parts;
     for (const NodeRef node : selection.nodes) {
-        parts.push_back({node.shape, SketchPartKind::Node, node.node});
+        const Shape *const shape = findShape(document, node.shape);
+        const bool rim = shape != nullptr && shape->is<CircleForm>() && node.node == 1; // stands for the circle
+        parts.push_back(rim ? SketchPart{node.shape, SketchPartKind::Segment, 0}
+                            : SketchPart{node.shape, SketchPartKind::Node, node.node});
     }
     for (const SegmentRef segment : selection.segments) {
         parts.push_back({segment.shape, SketchPartKind::Segment, segment.segment});
     }
     for (const std::uint32_t id : selection.shapes) {
         const Shape *const shape = findShape(document, id);
-        const bool point = shape != nullptr && shape->is<PointForm>();
-        if (shape == nullptr || (!point && taggedSegments(*shape) != 1)) {
+        const std::optional<SketchPart> part = shape != nullptr ? partOf(*shape, selection) : std::nullopt;
+        if (!part) {
             return {};
         }
-        parts.push_back({id, point ? SketchPartKind::Node : SketchPartKind::Segment, 0});
+        parts.push_back(*part);
     }
     return parts;
 }

@@ -131,6 +131,8 @@ class SketchLayer final : public Layer {
     }
 
     void drawDimensions(CanvasPainter &painter, const LayerFrame &frame) {
+        constexpr double kGap = 18.0; // of parallel dimension lines, design pixels
+        DimensionRoom room(kGap * painter.scale());
         for (const Item &item : items_) {
             if (!item.figure) {
                 continue;
@@ -140,7 +142,7 @@ class SketchLayer final : public Layer {
                                        labelPlate(frame.theme), frame.fonts.small, isSelected(frame, item),
                                        placeOf(item, 0)};
             if (const std::optional<Pixel> place =
-                    drawDimension(painter, *item.figure, item.constraint->label, mark + item.text, style)) {
+                    drawDimension(painter, room, *item.figure, item.constraint->label, mark + item.text, style)) {
                 places_.insert_or_assign({item.constraint->id, 0}, *place);
                 painter.nameLabel(nameOf(item.constraint->id, 0));
             }

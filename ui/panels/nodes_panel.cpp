@@ -267,14 +267,14 @@ class NodesPanel final : public Panel {
         const bool follows = shape.is<SlotForm>() && !isCentre(shape, line.node.node);
         if (shape.locked || follows) {
             ImGui::AlignTextToFramePadding();
-            ui::muted(context, ui::editedNumber(line.at.x) + ", " + ui::editedNumber(line.at.y));
+            ui::muted(context, ui::listedNumber(line.at.x) + ", " + ui::listedNumber(line.at.y));
             ui::tooltip(context, shape.locked ? "The shape is locked" : "Follows from the width of the slot");
             return;
         }
         Vec2 at = line.at;
         const form::PairAddress address = handleAddress(shape, line.node.node);
         const bool changed =
-            ui::inputPoint(context, name, at, form::halfWidth(context), address.x, address.y, ui::Digits::All);
+            ui::inputPoint(context, name, at, form::halfWidth(context), address.x, address.y, ui::Digits::Listed);
         const FieldFocus &fields = context.widgets.fields;
         if (fields.entry && fields.entry->name.starts_with(name + '/')) {
             edited_ = index;

@@ -41,6 +41,7 @@ std::string format(const char *pattern, ...) {
 }
 
 std::string number(double value, int digits) {
+    value += 0.0; // no negative zero
     const double size = std::abs(value);
     if (!(size >= 1e-4 && size < 1e9)) { // also 0 and non-finite values
         return format("%.*g", digits, value);
@@ -65,6 +66,7 @@ std::string grouped(double value, int digits) {
 }
 
 std::string editedNumber(double value) {
+    value += 0.0; // no negative zero
     const double size = std::abs(value);
     if (value != 0.0 && !(size >= 1e-4 && size < 1e15)) {
         return exactText(value);
@@ -72,6 +74,11 @@ std::string editedNumber(double value) {
     std::array<char, 40> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
     return {text.data(), end.ptr};
+}
+
+std::string listedNumber(double value) {
+    constexpr int kDigits = 12;
+    return editedNumber(roundedTo(value, kDigits));
 }
 
 std::string mean(double value) {

@@ -126,6 +126,9 @@ std::string grouped(double value, int digits = 5);
 /// Formats a number for editing: the shortest text that is read as the same number, with an exponent only for very
 /// small and very large numbers.
 std::string editedNumber(double value);
+/// Formats a number for a table, with up to twelve significant digits, which leave out the noise of rounding: "0.72"
+/// for 0.7200000000000001.
+std::string listedNumber(double value);
 /// Formats a mean of counts with about three digits: "3.27", "41.5", "140".
 std::string mean(double value);
 

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,13 +49,19 @@ void announceLost(Workspace &context, const Document &before) {
     if (lost.empty()) {
         return;
     }
+    const Document &now = *context.document.current();
     std::vector<std::string> names;
     std::transform(lost.begin(), lost.end(), std::back_inserter(names),
                    [&](const NumberAddress &address) { return numberName(before, address); });
-    context.log.announce("Removed " + std::to_string(lost.size()) +
-                         (lost.size() == 1 ? " expression that no longer matches its value: "
-                                           : " expressions that no longer match their values: ") +
-                         listed(names));
+    const bool same = std::all_of(lost.begin(), lost.end(), [&](const NumberAddress &address) {
+        const std::optional<NumberAddress> moved = movedAddress(before, now, address);
+        const std::optional<double> value = readNumber(before, address);
+        return moved && value && hasValue(now, *moved, *value);
+    });
+    const std::string why = same               ? ": "
+                            : lost.size() == 1 ? " that no longer matches its value: "
+                                               : " that no longer match their values: ";
+    context.log.announce("Removed " + countText(lost.size(), "expression") + why + listed(names));
 }
 
 } // namespace

@@ -70,12 +70,11 @@ void keepFormula(Workspace &context, std::string_view name, const FieldAddress &
         return;
     }
     const std::string text = formulaOf(typed);
-    if (changesNumber) {
-        if (context.entered.frame != ImGui::GetFrameCount()) {
-            context.entered = {{}, ImGui::GetFrameCount()};
-        }
-        context.entered.texts[*address] = text;
-    } else {
+    if (context.entered.frame != ImGui::GetFrameCount()) {
+        context.entered = {{}, ImGui::GetFrameCount()};
+    }
+    context.entered.texts[*address] = text;
+    if (!changesNumber) {
         context.applyCommand(setFormula(*context.document.current(), *address, text), "Change formula");
     }
 }
@@ -128,7 +127,9 @@ void offerValue(Workspace &context, std::string_view name, const std::string &fo
 /// Returns a number as a field shows it: rounded, or in full while it is edited, so that nothing is lost.
 std::string shownNumber(const WidgetContext &context, std::string_view name, double value, float width,
                         Digits digits = Digits::Rounded) {
-    return digits == Digits::All || showsEdited(context, name, width) ? editedNumber(value) : number(value, 6);
+    return showsEdited(context, name, width) ? editedNumber(value)
+           : digits == Digits::Listed        ? listedNumber(value)
+                                             : number(value, 6);
 }
 
 /// Shows the unit at the right end of the field just drawn, unless it is edited or its text leaves no room.

@@ -19,8 +19,9 @@ namespace ui {
 /// The address of the number of the document that a field shows, if it shows one.
 using FieldAddress = std::optional<NumberAddress>;
 
-/// The digits that a field shows while it is not edited.
-enum class Digits : std::uint8_t { Rounded, All };
+/// The digits that a field shows while it is not edited: six, or those of listedNumber(). While it is edited, it shows
+/// all.
+enum class Digits : std::uint8_t { Rounded, Listed };
 
 /// Draws an entry() for a number or an expression of the parameters. A text without a finite value is reported beside
 /// the field and in the log, and the old value is kept. A field with an address shows the formula that its number

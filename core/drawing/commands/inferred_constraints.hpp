@@ -23,6 +23,10 @@ struct InferredConstraints {
     std::size_t added = 0;
 };
 
+/// Returns relations that a drawn path has by itself: tangents where its arcs of circles meet other arcs or straight
+/// segments without a corner, and a horizontal or vertical last side of a closed path.
+std::vector<InferredNode> relationsOfPath(const Shape &path);
+
 /// Adds the relations of nodes of a shape as constraints, in order. `found`: the document in which they were found,
 /// whose parts they refer to. Of a line that was divided since, its first part counts. Left out are relations whose
 /// node or line does not exist, and those that the others imply.

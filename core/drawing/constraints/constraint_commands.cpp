@@ -3,6 +3,8 @@
 #include "core/drawing/constraints/conflict.hpp"
 #include "core/drawing/constraints/constraint_equations.hpp"
 #include "core/drawing/constraints/constraint_figures.hpp"
+#include "core/drawing/constraints/implied_constraint.hpp"
+#include "core/drawing/constraints/orient.hpp"
 #include "core/drawing/constraints/settle.hpp"
 #include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/shapes/references.hpp"
@@ -79,8 +81,32 @@ std::vector<SketchPart> jointOf(const Document &document, const SketchPart &firs
     return {};
 }
 
+/// Returns true for a dimension between two places, which circles have at their centres.
+bool isBetweenPlaces(ConstraintKind kind) {
+    return kind == ConstraintKind::Distance || kind == ConstraintKind::HorizontalDistance ||
+           kind == ConstraintKind::VerticalDistance;
+}
+
+/// Returns the centre of a circle, of an arc, of the end of a slot or of an ellipse; other parts as they are.
+SketchPart centreOf(const Document &document, const SketchPart &part) {
+    const PartForm form = formOfPart(document, part);
+    if (form != PartForm::Circle && form != PartForm::Ellipse) {
+        return part;
+    }
+    const Shape &shape = *findShape(document, part.shape);
+    if (isPath(shape)) {
+        return {part.shape, SketchPartKind::Centre, part.index};
+    }
+    return {part.shape, SketchPartKind::Node, shape.is<SlotForm>() && part.index == 1 ? 1U : 0U};
+}
+
 /// Completes the parts of a constraint, see makeConstraint().
 std::vector<SketchPart> completed(const Document &document, ConstraintKind kind, std::vector<SketchPart> parts) {
+    if (isBetweenPlaces(kind)) {
+        for (SketchPart &part : parts) {
+            part = centreOf(document, part);
+        }
+    }
     if (kind == ConstraintKind::Tangent && parts.size() == 4) {
         return parts;
     }
@@ -125,6 +151,17 @@ Diagnostics naming(Diagnostics faults, const DocumentSketch &sketch, const std::
     std::copy_if(ids.begin(), ids.end(), std::back_inserter(faults.front().ids),
                  [&](std::uint32_t id) { return id < sketch.jointId(0); });
     return faults;
+}
+
+/// Returns the error for a distance between lines that are not parallel; empty for all else.
+Diagnostics slantFault(const Document &document, const SketchConstraint &constraint) {
+    if (!isSlantedDistance(document, constraint)) {
+        return {};
+    }
+    return error("bad-constraint",
+                 constraint.name + ": " + partName(document, constraint.parts[0]) + " and " +
+                     partName(document, constraint.parts[1]) + " are not parallel",
+                 "add an angle, or make them parallel first");
 }
 
 } // namespace
@@ -180,6 +217,9 @@ Result<SketchConstraint> makeConstraint(const Document &document, ConstraintKind
     if (const std::string fault = partsFault(document, kind, constraint.parts); !fault.empty()) {
         return error("bad-constraint", kindName(kind) + ": " + fault, "select these and try again");
     }
+    if (Diagnostics fault = slantFault(document, constraint); !fault.empty()) {
+        return fault;
+    }
     DocumentSketch sketch(document);
     constraint = oriented(sketch, std::move(constraint));
     constraint.value = measured(sketch, constraint);
@@ -198,6 +238,9 @@ Result<Document> addConstraint(const Document &document, SketchConstraint constr
     if (const std::string fault = constraintFault(document, constraint); !fault.empty()) {
         return error("bad-constraint", constraint.name + ": " + fault);
     }
+    if (Diagnostics fault = slantFault(document, constraint); !fault.empty()) {
+        return fault;
+    }
     const std::uint32_t id = constraint.id;
     const std::string name = constraint.name;
     const Document next = with(document, std::move(constraint));
@@ -205,11 +248,11 @@ Result<Document> addConstraint(const Document &document, SketchConstraint constr
     const ConstraintJudgement judgement = judgeConstraint(sketch.system, id);
     const std::set<std::uint32_t> others(judgement.with.begin(), judgement.with.end());
     if (judgement.verdict == ConstraintVerdict::Redundant) {
-        return naming(error("constraint-redundant",
-                            others.empty() ? name + " always holds here: the form of the shapes implies it"
-                                           : name + " follows from " + relationNames(sketch, others),
-                            "leave it out, or remove one of these first"),
-                      sketch, others);
+        return others.empty()
+                   ? impliedFault(next, id)
+                   : naming(error("constraint-redundant", name + " follows from " + relationNames(sketch, others),
+                                  "leave it out, or remove one of these first"),
+                            sketch, others);
     }
     if (judgement.verdict == ConstraintVerdict::Conflict) {
         std::set<std::uint32_t> all = others;

@@ -25,7 +25,8 @@ std::string freeConstraintName(const Document &document, ConstraintKind kind);
 
 /// Makes a constraint of parts, in any order, with the orientation and, for a dimension, the value that they have now.
 /// Its id is the next one of the document, its name the first free one, such as "Length 2". A length of a segment gets
-/// its ends as parts. Curves that meet at their ends become tangent there.
+/// its ends as parts, a distance from a circle or ellipse its centre. Curves that meet at their ends become tangent
+/// there.
 Result<SketchConstraint> makeConstraint(const Document &document, ConstraintKind kind, std::vector<SketchPart> parts);
 
 /// Adds a constraint and moves what it moves. Errors: constraint-redundant names the constraints that already imply it;

@@ -6,6 +6,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -88,6 +89,33 @@ bool leadsInside(const Document &document, const SketchConstraint &constraint, V
     return dot(way, place - box.centre()) < 0.0;
 }
 
+/// Finds how far the shapes of a linear dimension reach on both sides of it.
+void setClear(DimensionFigure &figure, const Document &document, const SketchConstraint &constraint) {
+    const Vec2 middle = midpoint(figure.from, figure.to);
+    std::set<std::uint32_t> shapes;
+    for (const SketchPart &part : constraint.parts) {
+        const Shape *const shape = shapes.insert(part.shape).second ? findShape(document, part.shape) : nullptr;
+        const Outline outline = shape != nullptr ? outlineOf(*shape) : Outline();
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            const Curve curve = outline.curve(k);
+            for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) { // near enough to place a text
+                const double away = dot(curve.point(t) - middle, figure.outward);
+                figure.clear = std::max(figure.clear, away);
+                figure.clearBehind = std::max(figure.clearBehind, -away);
+            }
+        }
+    }
+}
+
+/// Returns the ends of a part that is a line; twice a place if it is a point.
+std::array<Vec2, 2> endsOfMeasured(const Document &document, const SketchPart &part, Vec2 place) {
+    if (placeOfPart(document, part) || part.kind > SketchPartKind::Origin) { // axes have no ends
+        return {place, place};
+    }
+    const auto [a, b] = lineOf(document, part);
+    return {a, b};
+}
+
 DimensionFigure linearFigure(const Document &document, const SketchConstraint &constraint) {
     DimensionFigure figure;
     std::tie(figure.from, figure.to) = measuredPlaces(document, constraint);
@@ -99,7 +127,23 @@ DimensionFigure linearFigure(const Document &document, const SketchConstraint &c
     if (leadsInside(document, constraint, midpoint(figure.from, figure.to), figure.outward)) {
         figure.outward = -1.0 * figure.outward;
     }
+    figure.fromLine = endsOfMeasured(document, constraint.parts[0], figure.from);
+    figure.toLine = endsOfMeasured(document, constraint.parts[1], figure.to);
+    setClear(figure, document, constraint);
     return figure;
+}
+
+/// Sets the arc that a radius or diameter belongs to, of which its middle is known.
+void setArc(DimensionFigure &figure, const Document &document, const SketchPart &part) {
+    const Outline outline = outlineOf(*findShape(document, part.shape));
+    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+        if (outline.part(k) == part.index) {
+            const Vec2 start = outline.from(k) - figure.from, middle = outline.curve(k).point(0.5) - figure.from;
+            figure.begin = std::atan2(start.y, start.x);
+            figure.sweep = 2.0 * std::atan2(cross(start, middle), dot(start, middle));
+            return;
+        }
+    }
 }
 
 DimensionFigure radialFigure(const Document &document, const SketchConstraint &constraint) {
@@ -118,6 +162,12 @@ DimensionFigure radialFigure(const Document &document, const SketchConstraint &c
         figure.from = sketch.system.place(sketch.round(part).centre);
     }
     figure.along = figure.outward = directionFrom(figure.from, figure.to);
+    if (shape.is<CircleForm>()) {
+        figure.begin = std::atan2(figure.along.y, figure.along.x);
+        figure.sweep = 2.0 * std::numbers::pi;
+    } else {
+        setArc(figure, document, part);
+    }
     return figure;
 }
 
@@ -207,6 +257,21 @@ std::optional<DimensionFigure> dimensionFigure(const Document &document, const S
 
 Vec2 DimensionFigure::placeOf(Vec2 offset) const {
     return form == Form::Linear ? midpoint(from, to) + offset.x * along + offset.y * leftNormal(along) : from + offset;
+}
+
+Vec2 DimensionFigure::wayAt(double share) const {
+    const double angle = begin + share * sweep;
+    return {std::cos(angle), std::sin(angle)};
+}
+
+Vec2 DimensionFigure::wayOnArc(Vec2 way) const {
+    const Vec2 middle = wayAt(0.5);
+    const double aside = std::atan2(cross(middle, way), dot(middle, way));
+    constexpr double kRounding = 1e-9;
+    if (std::fabs(aside) <= (0.5 + kRounding) * std::fabs(sweep)) {
+        return directionFrom({}, way);
+    }
+    return wayAt((aside < 0.0) == (sweep < 0.0) ? 1.0 : 0.0);
 }
 
 Vec2 DimensionFigure::offsetOf(Vec2 place) const {

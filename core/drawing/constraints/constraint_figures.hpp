@@ -2,6 +2,7 @@
 
 #include "core/drawing/document/document.hpp"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -31,14 +32,24 @@ struct DimensionFigure {
     /// Direction in which a linear dimension measures, of length 1, so that to - from has no negative part along it.
     Vec2 along{1.0, 0.0};
     Vec2 outward{0.0, 1.0}; ///< normal of `along` that leads away from the shape
+    /// Of a linear dimension: the ends of the lines on which `from` and `to` lie; twice the point where that is no
+    /// line.
+    std::array<Vec2, 2> fromLine{}, toLine{};
+    /// Of a linear dimension: how far its shapes reach outward, and the other way, from the middle of what is measured.
+    double clear = 0.0, clearBehind = 0.0;
     bool diameter = false;
-    double begin = 0.0; ///< of an angle: direction of the first leg, radians
-    double sweep = 0.0; ///< of an angle: signed turn from the first leg to the second, radians
+    /// Of an angle: direction of the first leg and signed turn to the second. Of a radius or diameter: direction from
+    /// the centre to the start of the arc and signed turn to its end; of a whole circle a full turn. In radians.
+    double begin = 0.0, sweep = 0.0;
 
     /// Returns the place of a text with an offset, see SketchConstraint::label.
     Vec2 placeOf(Vec2 offset) const;
     /// Returns the offset of a text at a place.
     Vec2 offsetOf(Vec2 place) const;
+    /// Returns the direction in which a share of the arc, 0 to 1, lies from the centre or apex, of length 1.
+    Vec2 wayAt(double share) const;
+    /// Returns the direction from the centre to the point of the arc that is nearest in direction, of length 1.
+    Vec2 wayOnArc(Vec2 way) const;
 };
 
 /// Returns the figure of a dimension; none for other constraints, parts that do not exist and parallel legs.

@@ -1,11 +1,13 @@
 #include "core/drawing/constraints/orient.hpp"
 
 #include "core/drawing/constraints/constraint_equations.hpp"
+#include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -29,6 +31,21 @@ bool holdsIn(const Document &document, const SketchConstraint &constraint) {
     return std::all_of(sketch.system.equations.begin(), sketch.system.equations.end(), [&](const auto &equation) {
         return equation.constraint == 0 || holdsWithin(sketch.system, equation, kTolerance, scale);
     });
+}
+
+bool isSlantedDistance(const Document &document, const SketchConstraint &constraint) {
+    const std::vector<SketchPart> &parts = constraint.parts;
+    if (constraint.kind != ConstraintKind::Distance || formOfPart(document, parts[0]) != PartForm::Line) {
+        return false;
+    }
+    constexpr double kParallel = 1e-6; // sine of the angle; sides of a solved sketch differ by less
+    DocumentSketch sketch(document);
+    const auto way = [&](const SketchPart &part) {
+        const DocumentSketch::Ends ends = sketch.direction(part);
+        return sketch.system.place(ends.b) - sketch.system.place(ends.a);
+    };
+    const Vec2 first = way(parts[0]), second = way(parts[1]);
+    return std::fabs(cross(first, second)) > kParallel * length(first) * length(second);
 }
 
 SketchConstraint reoriented(const Document &document, SketchConstraint constraint) {

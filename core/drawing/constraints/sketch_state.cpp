@@ -1,6 +1,7 @@
 #include "core/drawing/constraints/sketch_state.hpp"
 
 #include "core/drawing/constraints/constraint_equations.hpp"
+#include "core/drawing/constraints/free_numbers.hpp"
 #include "core/drawing/constraints/orient.hpp"
 #include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/shapes/references.hpp"
@@ -40,22 +41,6 @@ std::set<SketchPart> partsOfSketch(const Document &document) {
     return parts;
 }
 
-/// Returns how many degrees of freedom the shapes have that no constraint names, where those that constraints name do
-/// not move.
-std::size_t degreesBeside(const DocumentSketch &sketch, const Document &document) {
-    const std::set<std::uint32_t> named = shapesOfSketch(document);
-    SketchSystem system = sketch.system;
-    system.held.assign(system.held.size(), true);
-    bool any = false;
-    for (const auto &[unknown, index] : sketch.unknowns()) {
-        if (!named.contains(unknown.shape)) {
-            system.held[index] = sketch.system.held[index];
-            any = true;
-        }
-    }
-    return any ? freedomOf(system).degrees : 0;
-}
-
 } // namespace
 
 SketchState sketchState(const Document &document) {
@@ -64,7 +49,7 @@ SketchState sketchState(const Document &document) {
     for (const auto &constraint : document.constraints) {
         if (partsFault(document, constraint->kind, constraint->parts).empty()) {
             addEquations(sketch, *constraint, document);
-            if (!holdsIn(document, *constraint)) {
+            if (!holdsIn(document, *constraint) || isSlantedDistance(document, *constraint)) {
                 state.violated.insert(constraint->id);
             }
         }
@@ -75,7 +60,7 @@ SketchState sketchState(const Document &document) {
     }
     sketch.finish({.places = &document});
     const SketchFreedom freedom = freedomOf(sketch.system);
-    state.degrees = freedom.degrees - std::min(freedom.degrees, degreesBeside(sketch, document));
+    state.degrees = freedom.degrees + freeNumbersBeside(sketch, document);
     state.redundant.insert(freedom.redundant.begin(), freedom.redundant.end());
     for (const auto &[part, list] : unknowns) {
         state.determined.emplace(

@@ -11,7 +11,8 @@ namespace forefront {
 
 /// What the constraints of a document leave free, for display.
 struct SketchState {
-    std::size_t degrees = 0;           ///< of freedom, of the shapes that constraints name
+    /// Of freedom: of all shapes, those that no constraint names included, so that a constraint never raises it.
+    std::size_t degrees = 0;
     std::set<std::uint32_t> redundant; ///< constraints that follow from constraints before them
     std::set<std::uint32_t> violated;  ///< constraints that do not hold
     /// Parts that constraints name, and whether they cannot move. Those of other shapes are free.

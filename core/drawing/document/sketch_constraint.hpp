@@ -64,7 +64,7 @@ enum class ConstraintKind : std::uint8_t {
     Symmetric,          ///< two points, and the line or point that they mirror each other in
     Fixed,              ///< a point, line or circle that stays where it is
     Length,             ///< two points: the ends of a segment, and their distance
-    Distance,           ///< two points, a point and a line, or two lines
+    Distance,           ///< two points, a point and a line, or two parallel lines
     HorizontalDistance, ///< two points
     VerticalDistance,   ///< two points
     Angle,              ///< two lines

@@ -49,7 +49,9 @@ double gridLine(const SnapQuery &query, double coordinate) {
     // A pitch such as 0.1 is rounded, but its inverse is not: 0.3 is 3 / 10, not 3 * 0.1.
     const double inverse = 1.0 / query.gridPitch, whole = std::round(inverse);
     const bool isPart = whole > 1.0 && std::fabs(inverse - whole) <= 1e-12 * whole;
-    return isPart ? std::round(coordinate * whole) / whole : std::round(coordinate / query.gridPitch) * query.gridPitch;
+    const double line =
+        isPart ? std::round(coordinate * whole) / whole : std::round(coordinate / query.gridPitch) * query.gridPitch;
+    return line + 0.0; // no negative zero
 }
 
 std::optional<Vec2> gridPoint(const SnapQuery &query) {

@@ -74,6 +74,10 @@ void Selection::prune(const Document &document) {
         const Shape *shape = find(ref.shape);
         return shape == nullptr || ref.segment >= taggedSegments(*shape);
     });
+    std::erase_if(sides, [&](const auto &side) {
+        const Shape *const shape = shapes.contains(side.first) ? find(side.first) : nullptr;
+        return shape == nullptr || side.second >= taggedSegments(*shape);
+    });
     std::erase_if(sources, [&](std::uint32_t k) { return k >= document.spacing.sources.size(); });
     std::erase_if(markers, [&](std::uint32_t k) { return k >= document.regionMarkers.size(); });
     std::erase_if(constraints, [&](std::uint32_t id) {
@@ -93,6 +97,7 @@ void Selection::drop(const std::set<std::uint32_t> &gone) {
     std::erase_if(shapes, [&](std::uint32_t id) { return gone.contains(id); });
     std::erase_if(nodes, [&](NodeRef node) { return gone.contains(node.shape); });
     std::erase_if(segments, [&](SegmentRef segment) { return gone.contains(segment.shape); });
+    std::erase_if(sides, [&](const auto &side) { return gone.contains(side.first); });
 }
 
 Selection everythingIn(const Document &document) {

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <set>
 
 namespace forefront {
@@ -35,6 +36,9 @@ struct Selection {
     std::set<std::uint32_t> sources{};     ///< index into SpacingSpec::sources
     std::set<std::uint32_t> markers{};     ///< index into Document::regionMarkers
     std::set<std::uint32_t> constraints{}; ///< SketchConstraint::id
+    /// The segments at which shapes in `shapes` were clicked: of several selected shapes, those that a dimension or a
+    /// constraint is meant for.
+    std::map<std::uint32_t, std::uint32_t> sides{};
 
     bool empty() const {
         return shapes.empty() && nodes.empty() && segments.empty() && sources.empty() && markers.empty() &&

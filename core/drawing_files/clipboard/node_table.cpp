@@ -369,7 +369,7 @@ std::vector<NodeRow> nodeRows(const Document &document, const std::set<std::uint
         if (shapes.contains(shape->id)) {
             std::uint32_t number = 0;
             for (const Vec2 at : handlesOf(*shape)) {
-                rows.push_back({{shape->id, number++}, at});
+                rows.push_back({{shape->id, number++}, at + Vec2{}}); // no negative zero
             }
         }
     }

@@ -1,6 +1,7 @@
 #include "core/drawing_files/project/project_constraints.hpp"
 
 #include "core/drawing/constraints/constraint_commands.hpp"
+#include "core/drawing/constraints/orient.hpp"
 #include "core/files/json/json.hpp"
 
 #include <algorithm>
@@ -79,6 +80,10 @@ class ConstraintReader {
             const std::string fault = constraintFault(document_, constraint);
             if (!fault.empty()) {
                 check_.fault(item, "bad-constraint", "constraint " + inQuotes(constraint.name) + ": " + fault);
+            } else if (isSlantedDistance(document_, constraint)) { // its lines may have been turned since it was added
+                check_.warn(item, "constraint-slanted",
+                            "constraint " + inQuotes(constraint.name) +
+                                ": its lines are not parallel; it measures from " + "the start of one of them");
             }
         }
         document_.constraints.push_back(std::make_shared<const SketchConstraint>(std::move(constraint)));

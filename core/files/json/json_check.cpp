@@ -15,6 +15,10 @@ void JsonCheck::fault(const JsonValue &value, std::string code, std::string mess
     }
 }
 
+void JsonCheck::warn(const JsonValue &value, std::string_view code, const std::string &message) const {
+    source_.warn(code, message, value.offset());
+}
+
 void JsonCheck::noteUnknown(const JsonValue &object, std::span<const std::string_view> known) const {
     if (!object.is(JsonKind::Object)) {
         return; // reported as a fault

@@ -22,6 +22,8 @@ class JsonCheck {
     const Diagnostics &faults() const { return faults_; }
     /// Returns the line and column of a value.
     TextPlace place(const JsonValue &value) const { return placeOf(source_.text, value.offset()); }
+    /// Warns that a value, which is read as it is, may not be what a user expects.
+    void warn(const JsonValue &value, std::string_view code, const std::string &message) const;
     /// Reports members of an object that are not `known`, which a newer or another program may have added.
     void noteUnknown(const JsonValue &object, std::span<const std::string_view> known) const;
     void noteUnknown(const JsonValue &object, std::initializer_list<std::string_view> known) const {

@@ -317,6 +317,7 @@ void showFirst(Shell &context, const Document &before, const Box2 &box) {
 bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &label) {
     const std::shared_ptr<const Document> before = context.document.current();
     shape.tag = state_->tagOfDrawn(shape, *before);
+    const std::vector<InferredNode> ownRelations = relationsOf(shape);
     Result<Document> next = addShape(*before, std::move(shape));
     if (next) {
         next = joinToSegments(*next, before->nextId);
@@ -331,6 +332,7 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
     }
     std::size_t added = 0;
     if (next && context.snapping.addsConstraints) {
+        inferredNodes_.insert(inferredNodes_.end(), ownRelations.begin(), ownRelations.end());
         InferredConstraints constrained = addInferred(*std::move(next), before->nextId, inferredNodes_, *before);
         added = constrained.added;
         next = std::move(constrained.document);

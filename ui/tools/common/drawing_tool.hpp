@@ -77,6 +77,8 @@ class DrawingTool : public Tool {
     /// Describes the path being drawn, so that relations of the next node to it are found. Returns false if relations
     /// say nothing about the next place.
     virtual bool describePath(InferenceQuery &) const { return false; }
+    /// Returns relations that a new shape has by itself and that become constraints like those of its places.
+    virtual std::vector<InferredNode> relationsOf(const Shape &) const { return {}; }
     /// Returns the quantities that can be typed now, in Tab order: coordinates before the first node, then distance and
     /// angle.
     virtual std::span<const EntryField> entryFields() const;

@@ -1,6 +1,7 @@
 #include "ui/tools/draw/pen_tool.hpp"
 
 #include "core/drawing/commands/drawn_paths.hpp"
+#include "core/drawing/commands/inferred_constraints.hpp"
 #include "core/engine/geometry/path_curve.hpp"
 #include "core/engine/geometry/stroke_fit.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -72,6 +73,10 @@ bool PenTool::describePath(InferenceQuery &query) const {
         }
     }
     return true;
+}
+
+std::vector<InferredNode> PenTool::relationsOf(const Shape &shape) const {
+    return mode_ == PenMode::Corners ? relationsOfPath(shape) : std::vector<InferredNode>();
 }
 
 std::vector<Curve> PenTool::splineOf(bool closed) const {

@@ -59,6 +59,7 @@ class PenTool final : public DrawingTool {
     /// An outline drawn freehand would get a corner where it begins and ends.
     bool snapsToGrid() const override { return mode_ != PenMode::Freehand; }
     bool describePath(InferenceQuery &query) const override;
+    std::vector<InferredNode> relationsOf(const Shape &shape) const override;
     void pull(Vec2 to) override;
     void release(Vec2 at, bool away, Shell &context) override;
     Vec2 fitted(Vec2 at) override;

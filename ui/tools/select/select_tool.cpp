@@ -60,6 +60,7 @@ void SelectTool::selectShape(std::uint32_t shape, bool adds, Selection &selectio
     const bool removes = adds && selection.shapes.contains(shape);
     for (const std::uint32_t member : single_ ? std::set{shape} : shapesGroupedWith(*start_, shape)) {
         removes ? void(selection.shapes.erase(member)) : void(selection.shapes.insert(member));
+        selection.sides.erase(member);
     }
 }
 
@@ -102,6 +103,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
             choose(selection.segments, hit.segment->ref, adds);
         } else {
             selectShape(hit.shape, adds, selection);
+            selection.sides[hit.shape] = hit.segment->ref.segment;
         }
         break;
     case Hit::Kind::Inside:
@@ -272,7 +274,12 @@ void SelectTool::selectInside(Vec2 end, Shell &context) {
 }
 
 void SelectTool::release(const CanvasEvent &event, Shell &context) {
-    const bool moved = glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
+    const double slack = static_cast<double>(context.px(3));
+    // A loop may end where it began.
+    const bool looped = mode_ == Mode::Boxing && std::any_of(lasso_.begin(), lasso_.end(), [&](Vec2 place) {
+                            return glm::distance(context.view.camera.toPixel(place), pressPixel_) > slack;
+                        });
+    const bool moved = looped || glm::distance(event.pixel, pressPixel_) > slack;
     single_ = pressedControl_ && !moved;
     if (mode_ == Mode::Boxing && moved) {
         selectInside(event.place, context);
