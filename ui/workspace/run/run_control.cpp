@@ -127,7 +127,8 @@ void RunControl::log(const SessionSnapshot &s) {
     }
 }
 
-/// Limits, the background picture, guides, the unit and sketch constraints do not change the mesh, so a revision that
+/// Limits, the background picture, guides, the unit, sketch constraints, open boundary parts and the elevation do not
+/// change the mesh, so a revision that
 /// differs in nothing else counts as the one before.
 std::uint64_t RunControl::meshRevision() const {
     const std::uint64_t revision = document_.revision();
@@ -135,14 +136,18 @@ std::uint64_t RunControl::meshRevision() const {
         const std::shared_ptr<const Document> document = document_.current();
         const auto known = run_->meshRevisions.find(revision);
         bool same = false;
-        if (run_->seen && !(run_->seen->limits == document->limits && run_->seen->picture == document->picture &&
-                            run_->seen->guides == document->guides && run_->seen->unit == document->unit &&
-                            run_->seen->constraints == document->constraints)) {
+        if (run_->seen &&
+            !(run_->seen->limits == document->limits && run_->seen->picture == document->picture &&
+              run_->seen->guides == document->guides && run_->seen->unit == document->unit &&
+              run_->seen->openBoundaries == document->openBoundaries && run_->seen->elevation == document->elevation &&
+              run_->seen->constraints == document->constraints)) {
             Document before = *run_->seen;
             before.limits = document->limits;
             before.picture = document->picture;
             before.guides = document->guides;
             before.unit = document->unit;
+            before.openBoundaries = document->openBoundaries;
+            before.elevation = document->elevation;
             before.constraints = document->constraints; // what they move is in the shapes
             same = sameContent(before, *document);
         }
