@@ -1,4 +1,5 @@
 // The fix beside a broken limit in the checks panel.
+#include "core/drawing/commands/unfixed_limit.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "tests/ui/meshed_square.hpp"
 #include "ui/parts/fix_trial.hpp"
@@ -52,6 +53,24 @@ TEST_CASE("Checks: a fix whose mesh is farther beyond the limit is taken back, w
     CHECK(said.starts_with("Took back segments per turn auto \xe2\x86\x92 24: the maximum edge length became "));
     tryWith(verdict);
     CHECK(driver.document().spacing.segmentsPerTurn == 24.0); // no farther than it was
+}
+
+TEST_CASE("Checks: a broken limit that no setting mends says why") {
+    MeshedSquare driver;
+    driver.showPanel("checks");
+    driver.fill("checks/min-alpha", "0.9999");
+    REQUIRE(driver.has("checks/min-alpha/fix"));
+    CHECK_FALSE(driver.has("checks/min-alpha/unfixed"));
+    Document best = driver.document();
+    best.options.improve = ImproveLevel::Best; // the only setting that would help
+    driver.context().document.apply(best, "Improve");
+    driver.key(key::kF5);
+    driver.settle();
+    CHECK_FALSE(driver.has("checks/min-alpha/fix"));
+    CHECK(driver.has("checks/min-alpha/unfixed"));
+    CHECK(whyNoFix(MeshLimit::MinIslandArea, false).starts_with("islands"));
+    CHECK(whyNoFix(MeshLimit::MaxAspect, true) != whyNoFix(MeshLimit::MaxAspect, false));
+    CHECK(whyNoFix(MeshLimit::MinAngle, false).find("may not be divided") != std::string::npos);
 }
 
 } // namespace forefront::test

@@ -1,6 +1,7 @@
 #include "core/drawing/commands/mesh_within_limits.hpp"
 
 #include "core/drawing/commands/limit_fix.hpp"
+#include "core/drawing/commands/unfixed_limit.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
@@ -52,16 +53,14 @@ bool anyWorse(const std::vector<LimitVerdict> &before, const std::vector<LimitVe
 }
 
 /// Notes the limits that are still violated and why nothing more is done about them.
-void noteWhatIsLeft(const std::vector<LimitVerdict> &verdicts, Diagnostics &remarks) {
+void noteWhatIsLeft(const std::vector<LimitVerdict> &verdicts, bool layered, Diagnostics &remarks) {
     for (const LimitVerdict &verdict : verdicts) {
         if (!verdict.met() && verdict.broken > 0) {
-            const bool islands = verdict.limit == MeshLimit::MinIslandArea;
-            remarks.push_back(
-                noteOf("not-fixed",
-                       std::string("no setting mends ") + limitInfo(verdict.limit).name + ' ' +
-                           valueText(verdict.limit, verdict.bound) + " at " + countText(verdict.broken, "place"),
-                       islands ? "islands belong to the outline: remove the small ones from the drawing"
-                               : "change the outline there, or the limit; a check of the mesh lists the places"));
+            remarks.push_back(noteOf("not-fixed",
+                                     std::string("no setting mends ") + limitInfo(verdict.limit).name + ' ' +
+                                         valueText(verdict.limit, verdict.bound) + " at " +
+                                         countText(verdict.broken, "place"),
+                                     whyNoFix(verdict.limit, layered) + "; a check of the mesh lists the places"));
         }
     }
 }
@@ -112,7 +111,7 @@ Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, con
             left = verdicts;
         }
     }
-    noteWhatIsLeft(left, best.remarks);
+    noteWhatIsLeft(left, !best.job.layers.empty(), best.remarks);
     return best;
 }
 
