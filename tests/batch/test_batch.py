@@ -1632,7 +1632,7 @@ class Refusing(Case):
         self.assertEqual(checked, {key: given[key] for key in checked})
         for key in ("nodes", "regions", "boundaries", "alpha_min", "min_angle_deg", "hash"):
             self.assertIn(key, checked)
-        self.assertEqual([(part["tag"], part["name"]) for part in checked["boundaries"]], [(1, ""), (2, "")])
+        self.assertEqual([(part["tag"], part["name"]) for part in checked["boundaries"]], [(1, "boundary_1"), (2, "boundary_2")])
         self.assertAlmostEqual(checked["boundaries"][0]["length"], 14.0)
         done = self.call("check", "plate.msh", "--stats", "-", "--min-angle", "59", code=1)
         printed = json.loads(done.stdout)
