@@ -2,6 +2,7 @@
 
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/letter_case.hpp"
+#include "core/engine/base/out_of_memory.hpp"
 #include "core/engine/mesh/numbering.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/elevations.hpp"
@@ -40,7 +41,7 @@ WriteDialog::Written WriteDialog::answer(const LatestTurn<Write, Written> &turn)
             turn.publish(written);
         }
     };
-    written.result = turn.request(progress);
+    written.result = orOutOfMemory("to write the file", [&] { return turn.request(progress); });
     return written;
 }
 

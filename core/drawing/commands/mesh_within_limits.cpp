@@ -7,7 +7,7 @@
 #include "core/engine/base/number_text.hpp"
 
 #include <cstddef>
-#include <numeric>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,39 +17,25 @@ namespace forefront {
 
 namespace {
 
-std::size_t violations(const std::vector<LimitVerdict> &verdicts) {
-    return std::accumulate(verdicts.begin(), verdicts.end(), std::size_t{0},
-                           [](std::size_t sum, const LimitVerdict &verdict) { return sum + verdict.broken; });
-}
-
-/// The part of a document that fixes change.
+/// Returns what fixes read and change, as a document without shapes.
 Document settingsOf(const MeshingJob &job) {
     Document document;
     document.spacing = job.spacing;
     document.options = job.options;
+    document.layers = job.layers;
     return document;
 }
 
 /// Applies the fix of each violated limit, one after the other. Returns what they change; empty: nothing helps.
-std::string applyFixes(const std::vector<LimitVerdict> &verdicts, Document &document) {
+std::string applyFixes(const std::vector<LimitVerdict> &verdicts, const SpacingField *spacing, Document &document) {
     std::string changes;
     for (const LimitVerdict &verdict : verdicts) {
-        if (std::optional<LimitFix> fix = fixOf(document, verdict)) {
+        if (std::optional<LimitFix> fix = fixOf(document, verdict, spacing)) {
             changes += (changes.empty() ? "" : ", ") + fix->change;
             document = std::move(fix->document);
         }
     }
     return changes;
-}
-
-/// Returns true if a limit that was violated is violated farther. Both are verdicts on the same limits.
-bool anyWorse(const std::vector<LimitVerdict> &before, const std::vector<LimitVerdict> &after) {
-    for (std::size_t k = 0; k < before.size(); ++k) {
-        if (before[k].broken > 0 && makesWorse(before[k], after[k])) {
-            return true;
-        }
-    }
-    return false;
 }
 
 /// Notes the limits that are still violated and why nothing more is done about them.
@@ -77,10 +63,11 @@ Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, con
         return checkLimits(outcome.mesh, limits, outcome.spacing.get(), 1);
     };
     std::vector<LimitVerdict> verdicts = judge(best.outcome), left = verdicts;
+    std::shared_ptr<const SpacingField> spacing = best.outcome.spacing;
     Document document = settingsOf(best.job);
     constexpr int kPatience = 3; // rounds without fewer violations
     for (int round = 0, idle = 0; round < kMaxFixRounds && idle < kPatience && violations(left) > 0; ++round) {
-        const std::string changes = applyFixes(verdicts, document);
+        const std::string changes = applyFixes(verdicts, spacing.get(), document);
         if (changes.empty()) {
             break;
         }
@@ -98,8 +85,9 @@ Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, con
             break;
         }
         verdicts = judge(*outcome);
+        spacing = outcome->spacing;
         const std::size_t before = violations(left), after = violations(verdicts);
-        const bool better = after < before && !anyWorse(left, verdicts);
+        const bool better = whyNoBetter(left, verdicts).empty();
         best.remarks.push_back(noteOf(
             "fixed", "fix: " + changes + ": " + std::to_string(before) + " violations, then " + std::to_string(after) +
                          ", " + std::to_string(best.outcome.mesh.elementCount()) + " elements, then " +

@@ -27,4 +27,16 @@ bool sameContent(const Document &a, const Document &b) {
            sameContent(a.spacing, b.spacing);
 }
 
+bool sameForMesher(const Document &a, const Document &b) {
+    Document other = a;
+    other.limits = b.limits;
+    other.picture = b.picture;
+    other.guides = b.guides;
+    other.unit = b.unit;
+    other.constraints = b.constraints;
+    other.openBoundaries = b.openBoundaries;
+    other.elevation = b.elevation;
+    return sameContent(other, b);
+}
+
 } // namespace forefront
