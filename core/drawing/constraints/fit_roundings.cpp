@@ -15,7 +15,8 @@ namespace {
 constexpr double kRadiusRounding = 1e-9; ///< of a radius, relative
 
 bool isTooRound(const Shape &shape) {
-    return shape.is<RectangleForm>() && shape.as<RectangleForm>().radius > (1.0 + kRadiusRounding) * largestRounding(shape);
+    return shape.is<RectangleForm>() &&
+           shape.as<RectangleForm>().radius > (1.0 + kRadiusRounding) * largestRounding(shape);
 }
 
 /// Returns true if a formula or a constraint sets the radius of the corners of a rectangle.
