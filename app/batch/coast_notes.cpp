@@ -3,6 +3,7 @@
 #include "app/batch/output_formats.hpp"
 #include "core/engine/base/note.hpp"
 #include "core/engine/spacing/spec/size_presets.hpp"
+#include "core/files/elevations.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -49,13 +50,7 @@ Diagnostics openShore(std::span<const std::string> presets, std::span<const std:
 }
 
 Diagnostics dryElevations(std::span<const double> elevations, const std::vector<Output> &outputs) {
-    const bool dry = !elevations.empty() && std::all_of(elevations.begin(), elevations.end(),
-                                                        [](double elevation) { return elevation > 0.0; });
-    if (!dry || !anyHas(outputs, &FileFormat::hasOpenBoundaries)) {
-        return {};
-    }
-    return {warningOf("dry-elevations", "all elevations are above 0, so that all depths are negative",
-                      "if the values are depths, change their sign")};
+    return anyHas(outputs, &FileFormat::hasOpenBoundaries) ? warnOfDryElevations(elevations) : Diagnostics();
 }
 
 Diagnostics otherSystem(const std::string &file, const MapSystem &raster, const MapSystem &map) {

@@ -33,7 +33,7 @@ void addElevationOption(CLI::App &app, std::optional<std::string> &elevation) {
                    "elevations of the nodes: an ESRI ASCII grid (.asc), a GeoTIFF raster (.tif), or an expression of x "
                    "and y such as -5-0.01*x, which in mesh may call rasters of the project and of --raster, "
                    "-depth(x,y), as in --spacing; "
-                   "depths are the same with the other sign; formats: " +
+                   "depths are the same with the other sign; without it, that of the project; formats: " +
                        idsOf(&FileFormat::holdsElevations))
         ->type_name("FILE|EXPR");
 }

@@ -3,6 +3,7 @@
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/extrude_option.hpp"
 #include "app/batch/open_boundaries.hpp"
+#include "app/batch/output_formats.hpp"
 #include "app/batch/tags_option.hpp"
 #include "app/batch/unit_option.hpp"
 
@@ -14,6 +15,14 @@ void addFormOptions(CLI::App &app, MeshForm &form, const std::string &unit) {
     addTagsOption(app, form);
     addUnitOption(app, form, unit);
     addElevationOption(app, form.elevation);
+}
+
+void useWaterOf(const std::vector<std::int32_t> &openBoundaries, const std::string &elevation,
+                const std::vector<Output> &outputs, MeshForm &form) {
+    form.openOfProject = openBoundaries;
+    if (!form.elevation && !elevation.empty() && anyHas(outputs, &FileFormat::holdsElevations)) {
+        form.elevation = elevation;
+    }
 }
 
 std::string checkForm(const MeshForm &form, const std::vector<Output> &outputs, std::optional<ElementOrder> order) {

@@ -185,7 +185,7 @@ int finish(const MeshArguments &arguments, const ReadJob &read, const MeshingOut
     return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
 }
 
-int runMesh(const MeshArguments &arguments) {
+int runMesh(MeshArguments arguments) {
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
     const Progress progress = bar.progress(interrupt.token());
@@ -203,6 +203,8 @@ int runMesh(const MeshArguments &arguments) {
     if (!faults.empty()) {
         return refuse(faults, interrupt);
     }
+    useWaterOf(read->openBoundaries, read->elevation, pairFormats(arguments.outputs, arguments.formats),
+               arguments.form);
     MeshingJob &job = read->job;
     faults = checkElevationExpression(arguments.form.elevation, ElevationCalls{job.spacing, job.domain});
     if (!faults.empty()) {

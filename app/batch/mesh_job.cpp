@@ -28,7 +28,16 @@ Result<ReadJob> readDomainOf(const Input &input, ImportNotes &notes) {
         if (!document) {
             return document.faults();
         }
-        return ReadJob{jobOf(*document), boundsOf(*document), document->picture, document->limits, document->unit};
+        return ReadJob{jobOf(*document),
+                       boundsOf(*document),
+                       document->picture,
+                       document->limits,
+                       document->unit,
+                       {},
+                       {},
+                       {},
+                       document->openBoundaries,
+                       document->elevation};
     }
     Result<DomainFile> file = allFormats().readDomain(input.path, input.options, &notes);
     if (!file) {

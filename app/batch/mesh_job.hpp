@@ -8,6 +8,7 @@
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/source/map_system.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ struct ReadJob {
     MapSystem system = {};                         ///< of the coordinates of a map
     std::vector<PeriodicSpec> periodicOfMesh = {}; ///< parts that nobody asked for
     std::optional<Repaired> repaired = {};         ///< the repair that produced the domain
+    std::vector<std::int32_t> openBoundaries = {}; ///< tags, of a project
+    std::string elevation = {};                    ///< of a project, see Document
 };
 
 /// Reads the domain and the sizes, shows the progress and prints the notes of the readers.

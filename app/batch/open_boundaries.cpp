@@ -3,8 +3,8 @@
 #include "app/batch/suggestion.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/files/common/names.hpp"
-#include "core/files/common/tagged_sides.hpp"
 #include "core/files/files.hpp"
+#include "core/files/open_boundaries.hpp"
 
 #include <algorithm>
 #include <map>
@@ -47,7 +47,8 @@ void addOpenOption(CLI::App &app, MeshForm &form) {
     app.add_option(
            "--open", form.open,
            "name of a boundary part through which water flows, for ADCIRC, SCHISM, TELEMAC and MIKE, such as sea or "
-           "boundary_2; all others are land; --name gives names to parts; can be repeated")
+           "boundary_2; all others are land; without it, those of the project; --name gives names to parts; can be "
+           "repeated")
         ->allow_extra_args(false)
         ->type_name("NAME");
 }
@@ -85,14 +86,7 @@ Diagnostics checkOpenNames(const MeshForm &form, const MeshView &mesh) {
     if (form.open.empty()) {
         return {};
     }
-    Parts parts;
-    const TaggedSides sides(mesh);
-    for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
-        if (sides.of(k).size() == 1) {
-            parts.try_emplace(mesh.edges[k].tag, boundaryName(mesh.boundaryNames, mesh.edges[k].tag));
-        }
-    }
-    return unknownNames(form.open, parts,
+    return unknownNames(form.open, boundaryPartsOf(mesh),
                         "; the mesh has its names from the file that it was made from, see --name of "
                         "'forefront mesh'");
 }
@@ -103,6 +97,9 @@ ExportOptions exportOptionsOf(const MeshForm &form, const MeshView &mesh) {
     options.keepTags = form.keepTags;
     options.unit = form.unit.value_or(LengthUnit::None);
     options.system = form.system;
+    if (form.open.empty()) {
+        options.openBoundaries = openPartsIn(mesh, form.openOfProject);
+    }
     const Parts parts = form.open.empty() ? Parts() : tagsOf(mesh).edges;
     for (const std::string &name : form.open) {
         for (const auto &[tag, given] : parts) {

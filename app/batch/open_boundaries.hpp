@@ -23,7 +23,7 @@ std::string checkOpen(const MeshForm &form, const std::vector<Output> &outputs);
 Diagnostics checkOpenNames(const MeshForm &form, const Domain &domain);
 Diagnostics checkOpenNames(const MeshForm &form, const MeshView &mesh);
 
-/// Returns the options of a file: the tags of the open parts.
+/// Returns the options of a file: the tags of the open parts, by --open or, without it, of the project.
 ExportOptions exportOptionsOf(const MeshForm &form, const MeshView &mesh);
 
 } // namespace forefront

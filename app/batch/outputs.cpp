@@ -8,7 +8,9 @@
 #include "core/engine/base/letter_case.hpp"
 #include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
+#include "core/files/open_boundaries.hpp"
 
 #include <algorithm>
 #include <array>
@@ -158,11 +160,6 @@ Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
             (count == 1 ? "it" : "them"));
 }
 
-/// Reports that no part of the boundary is open.
-Diagnostic allLandNote(const Output &output) {
-    return noteOn(output, "no-open-boundary", "all of the boundary is land; --open NAME opens a part");
-}
-
 /// Reports how thick a plane mesh becomes.
 Diagnostic thicknessNote(const Output &output, const MeshView &mesh) {
     return noteOn(output, "thickness",
@@ -201,10 +198,7 @@ class FormedMeshes {
             return mesh_.elevations;
         }
         if (renumbered_.empty()) {
-            renumbered_.resize(mesh_.elevations.size());
-            for (std::size_t n = 0; n < renumbered_.size(); ++n) {
-                renumbered_[index(numbers()[n])] = mesh_.elevations[n];
-            }
+            renumbered_ = renumberedElevations(mesh_.elevations, numbers());
         }
         return renumbered_;
     }
@@ -232,13 +226,16 @@ Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, con
         const bool drops =
             form.innerEdges ? *form.innerEdges == InnerEdges::Drop : !acceptsInnerEdges(output.path, output.format);
         const MeshView written = formed.get(drops, form.numbering.value_or(usualNumbering(output.path, output.format)));
-        Diagnostics faults = writeOutput(files, output, written, exportOptionsOf(form, written), progress);
+        const ExportOptions options = exportOptionsOf(form, written);
+        Diagnostics faults = writeOutput(files, output, written, options, progress);
         if (hasErrors(faults)) {
             return faults;
         }
         notes.insert(notes.end(), faults.begin(), faults.end());
-        if (form.open.empty() && hasOpenBoundaries(output.path, output.format)) {
-            notes.push_back(allLandNote(output));
+        const std::filesystem::path named = isStandardStream(output.path) ? std::filesystem::path() : output.path;
+        for (Diagnostic &note : noteAllLand(output.path, output.format, options, "--open NAME opens a part")) {
+            note.file = named.string();
+            notes.push_back(std::move(note));
         }
         if (!form.extrusion && solidsOnly(output.path, output.format)) {
             notes.push_back(thicknessNote(output, written));

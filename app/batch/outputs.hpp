@@ -49,6 +49,7 @@ struct MeshForm {
     std::optional<InnerEdges> innerEdges; ///< absent: left out of the formats that do not accept them, with a note
     std::optional<Numbering> numbering;   ///< absent: the usual one of the format
     std::vector<std::string> open = {};   ///< names of the open boundary parts
+    std::vector<std::int32_t> openOfProject = {}; ///< tags that are open without `open`
     std::optional<Extrusion> extrusion = {};
     bool keepTags = false;                     ///< see ExportOptions
     std::optional<std::string> elevation = {}; ///< a file or an expression

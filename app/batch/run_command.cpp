@@ -2,6 +2,7 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/elevation_option.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/form_options.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/open_boundaries.hpp"
@@ -56,7 +57,8 @@ script, or to the current folder if it is read from standard input.
   {"command": "check"}                                           verifies the mesh and the limits of the project
   {"command": "export", "file": "plate.msh"}                     with "format": ID if the extension does not say it,
                                                                  "open": ["sea"], the open boundary parts, and
-                                                                 "elevation": a grid, raster or expression
+                                                                 "elevation": a grid, raster or expression; without
+                                                                 them, those of the project
   {"command": "save", "file": "plate.json"}
 
 Shapes and the members of "change" are written as in project files; a shape without "id" gets the next free one.
@@ -260,6 +262,12 @@ class ScriptRun {
         const ElevationCalls calls{job.spacing, job.domain};
         if (std::string wrong = checkOpen(*form, outputs) + checkElevation(form->elevation, outputs); !wrong.empty()) {
             return error("bad-value", std::move(wrong));
+        }
+        const Document &document = player_.document();
+        if (command.value.find("open")) {
+            useWaterOf({}, document.elevation, outputs, *form); // an empty list closes all parts
+        } else {
+            useWaterOf(document.openBoundaries, document.elevation, outputs, *form);
         }
         if (Status faults = checkElevationExpression(form->elevation, calls); !faults.empty()) {
             return faults;

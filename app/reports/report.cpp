@@ -205,6 +205,11 @@ void addKinds(const MeshReport &report, JsonWriter &json) {
     json.endObject();
 }
 
+/// Returns a name or, where the mesh has none, the one that exports and the editor use.
+const std::string &named(const std::string &name, const std::string &usual) {
+    return name.empty() ? usual : name;
+}
+
 void addFigures(const MeshReport &report, JsonWriter &json) {
     const MeshQuality &q = report.quality;
     const double unknown = std::numeric_limits<double>::quiet_NaN(); // null
@@ -214,13 +219,15 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
     json.member("parts", report.extent.parts).member("holes", report.extent.holes);
     json.key("regions").beginArray();
     for (const RegionExtent &region : report.extent.regions) {
-        json.beginObject().member("tag", region.tag).member("name", region.name);
+        json.beginObject().member("tag", region.tag).member("name", named(region.name, regionName({}, region.tag)));
         json.member("elements", region.elements).member("area", region.area).endObject();
     }
     json.endArray();
     json.key("boundaries").beginArray();
     for (const BoundaryExtent &boundary : report.extent.boundaries) {
-        json.beginObject().member("tag", boundary.tag).member("name", boundary.name);
+        json.beginObject()
+            .member("tag", boundary.tag)
+            .member("name", named(boundary.name, boundaryName({}, boundary.tag)));
         json.member("edges", boundary.edges).member("length", boundary.length).endObject();
     }
     json.endArray();

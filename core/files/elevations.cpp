@@ -1,11 +1,13 @@
 #include "core/files/elevations.hpp"
 
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/lazy_faces.hpp"
 #include "core/engine/spacing/parts/expression/expression.hpp"
 #include "core/files/files.hpp"
 #include "core/files/read_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -75,6 +77,22 @@ Result<std::vector<double>> elevationsOf(const MeshView &mesh, const std::string
         }
     }
     return evaluated(mesh, program);
+}
+
+Diagnostics warnOfDryElevations(std::span<const double> elevations) {
+    const bool dry =
+        !elevations.empty() && std::ranges::all_of(elevations, [](double elevation) { return elevation > 0.0; });
+    return dry ? Diagnostics{warningOf("dry-elevations", "all elevations are above 0, so that all depths are negative",
+                                       "if the values are depths, change their sign")}
+               : Diagnostics();
+}
+
+std::vector<double> renumberedElevations(std::span<const double> elevations, std::span<const NodeId> numbers) {
+    std::vector<double> renumbered(elevations.size());
+    for (std::size_t n = 0; n < elevations.size(); ++n) {
+        renumbered[index(numbers[n])] = elevations[n];
+    }
+    return renumbered;
 }
 
 void addMiddleElevations(const MeshView &mesh, std::vector<double> &elevations) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/ids.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
@@ -10,6 +12,7 @@
 #include "core/files/source/import_options.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +33,13 @@ Result<std::vector<double>> elevationsOf(const MeshView &mesh, const std::string
 /// called has no value in or near a part of the domain.
 Result<std::vector<double>> elevationsOf(const MeshView &mesh, const std::string &expression,
                                          const SpacingSpec &spacing, const Domain &domain);
+
+/// Returns the warning "dry-elevations" if all elevations are above 0, as depths with the wrong sign are; for files of
+/// water models.
+Diagnostics warnOfDryElevations(std::span<const double> elevations);
+
+/// Returns the elevations of the nodes with other numbers, as renumbered() gives them.
+std::vector<double> renumberedElevations(std::span<const double> elevations, std::span<const NodeId> numbers);
 
 /// Completes the elevations of the first nodes of a mesh: nodes in the middles of edges and elements that follow get
 /// the mean of the corners around them.

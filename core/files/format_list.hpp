@@ -57,6 +57,10 @@ struct FileFormat {
     /// Programs that read it accept tagged edges inside the domain, such as constraints and interfaces, rather than
     /// take each for a boundary.
     bool acceptsInnerEdges = true;
+    /// Its files are the same without the tagged edges inside the domain.
+    bool dropsInnerEdges = false;
+    /// Its files have no names of boundary parts, or of regions, not even as comments.
+    bool dropsBoundaryNames = false, dropsRegionNames = false;
     /// Its files tell open boundaries from land, as ExportOptions::openBoundaries has them.
     bool hasOpenBoundaries = false;
     /// Its files have different numbers and names for boundary parts, regions and points, unless

@@ -565,6 +565,32 @@ class Meshing(Case):
         self.assertEqual([part["name"] for part in json.loads(self.call("info", "a.14", "--json").stdout)["boundaries"]],
                          ["open_1"])
 
+    BAY = {"format": "forefront", "version": 2, "spacing": {"size": 0.5}, "boundaryNames": {"2": "sea"}, "openBoundaries": [2],
+           "elevation": "-4-0.5*x", "shapes": [{"id": 1, "kind": "polygon", "use": "boundary", "tag": 1,
+                                                "segmentTags": [1, 2, 1, 1], "nodes": [[0, 0], [4, 0], [4, 3], [0, 3]]}]}
+
+    def test_a_project_has_its_open_parts_and_its_elevation(self):
+        self.write("bay.json", json.dumps(self.BAY))
+        done = self.call("mesh", "bay.json", "-o", "a.14", "-o", "a.su2", "--verify")
+        self.assertNotIn("[no-open-boundary]", done.stderr)
+        self.assertNotIn("depth 0", done.stderr)
+        self.call("mesh", "bay.json", "-o", "b.14", "--open", "sea", "--elevation=-4-0.5*x")
+        self.assertEqual(self.read("a.14"), self.read("b.14"))
+        self.assertIn("4 3 6\n", self.read("a.14"))  # depth at the corner (4, 3)
+        self.assertIn("a.14: note: all of the boundary is land", self.call(
+            "run", self.script('{"command": "open", "file": "bay.json"}', '{"command": "mesh"}',
+                               '{"command": "export", "file": "a.14", "open": []}')).stderr)
+        self.assertNotIn("depth 0", self.call(
+            "run", self.script('{"command": "open", "file": "bay.json"}', '{"command": "mesh"}',
+                               '{"command": "export", "file": "c.14"}', '{"command": "export", "file": "c.msh"}')).stderr)
+        self.assertEqual(self.read("c.14"), self.read("b.14"))
+        self.write("bay.json", json.dumps(self.BAY | {"elevation": "-depth(x,y)"}))
+        self.assertIn("expression", self.call("mesh", "bay.json", "-o", "d.14", code=2).stderr)
+
+    def script(self, *commands):
+        self.write("script.jsonl", "\n".join(commands) + "\n")
+        return "script.jsonl"
+
     COAST = {"type": "FeatureCollection", "features": [
         {"type": "Feature", "properties": {"name": "coast"}, "geometry": {"type": "Polygon", "coordinates": [
             [[25.0, 60.0], [25.4, 60.0], [25.4, 60.2], [25.3, 60.15], [25.2, 60.22], [25.0, 60.2], [25.0, 60.0]]]}}]}
@@ -1606,7 +1632,7 @@ class Refusing(Case):
         self.assertEqual(checked, {key: given[key] for key in checked})
         for key in ("nodes", "regions", "boundaries", "alpha_min", "min_angle_deg", "hash"):
             self.assertIn(key, checked)
-        self.assertEqual([(part["tag"], part["name"]) for part in checked["boundaries"]], [(1, ""), (2, "")])
+        self.assertEqual([(part["tag"], part["name"]) for part in checked["boundaries"]], [(1, "boundary_1"), (2, "boundary_2")])
         self.assertAlmostEqual(checked["boundaries"][0]["length"], 14.0)
         done = self.call("check", "plate.msh", "--stats", "-", "--min-angle", "59", code=1)
         printed = json.loads(done.stdout)

@@ -1,4 +1,5 @@
 // The fix beside a broken limit in the checks panel.
+#include "core/drawing/commands/unfixed_limit.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "tests/ui/meshed_square.hpp"
@@ -47,6 +48,24 @@ TEST_CASE("Checks: a fix whose mesh is no better is taken back, which is said") 
     const std::string said = driver.context().log.entries().back().diagnostic.message;
     CHECK(said == "Took back segments per turn auto \xe2\x86\x92 24: " + countText(verdict.broken, "place") +
                       " violate a limit, as before");
+}
+
+TEST_CASE("Checks: a broken limit that no setting mends says why") {
+    MeshedSquare driver;
+    driver.showPanel("checks");
+    driver.fill("checks/min-alpha", "0.9999");
+    REQUIRE(driver.has("checks/min-alpha/fix"));
+    CHECK_FALSE(driver.has("checks/min-alpha/unfixed"));
+    Document best = driver.document();
+    best.options.improve = ImproveLevel::Best; // the only setting that would help
+    driver.context().document.apply(best, "Improve");
+    driver.key(key::kF5);
+    driver.settle();
+    CHECK_FALSE(driver.has("checks/min-alpha/fix"));
+    CHECK(driver.has("checks/min-alpha/unfixed"));
+    CHECK(whyNoFix(MeshLimit::MinIslandArea, false).starts_with("islands"));
+    CHECK(whyNoFix(MeshLimit::MaxAspect, true) != whyNoFix(MeshLimit::MaxAspect, false));
+    CHECK(whyNoFix(MeshLimit::MinAngle, false).find("may not be divided") != std::string::npos);
 }
 
 } // namespace forefront::test

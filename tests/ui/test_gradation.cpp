@@ -109,7 +109,12 @@ TEST_CASE("Target: a typed number of elements scales the sizes in one undo step,
         driver.fill("spacing/target", std::to_string(static_cast<int>(target)));
         CHECK(static_cast<double>(liveElements(driver)) == doctest::Approx(target).epsilon(0.05));
         CHECK(driver.undoLabel() == "Set number of elements");
+        CHECK(driver.has("spacing/target/asked"));
     }
+    driver.fill("spacing/size", "0.7"); // other sizes than those that were asked for
+    CHECK_FALSE(driver.has("spacing/target/asked"));
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.has("spacing/target/asked"));
     for (int step = 0; step < 3; ++step) {
         driver.key('Z', {Modifiers::kControl});
     }

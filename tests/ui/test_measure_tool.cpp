@@ -55,6 +55,14 @@ TEST_CASE("Measure: radius, diameter and circumference of a circle; area and per
     CHECK(measurer.reading().starts_with("radius 1   diameter 2   circumference 6.283"));
     measurer.clickPlace({3, 4}); // inside the hole
     CHECK(measurer.reading().starts_with("area 3.14159   perimeter 6.28319"));
+    Document inMetres = measurer.document();
+    inMetres.unit = LengthUnit::Metre;
+    measurer.context().document.apply(inMetres, "Set unit");
+    measurer.settle();
+    measurer.clickPlace({3, 4});
+    CHECK(measurer.reading().starts_with("area 3.14159 m\xc2\xb2   perimeter 6.28319 m"));
+    measurer.key('Z', {Modifiers::kControl});
+    measurer.settle();
     measurer.clickPlace({8, 2});
     CHECK(measurer.reading().starts_with("area 52.8584   perimeter 36.2832"));
     measurer.clickPlace({0.2, 0.2});

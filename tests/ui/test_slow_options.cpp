@@ -282,6 +282,14 @@ TEST_CASE("Slow frames: films, pictures of moments and sizes from a picture") {
         typist.tap(key::kEscape);
         typist.write("c");
     });
+    expectSame("elevation of an export", [](Typist &typist) {
+        meshedRectangle(typist);
+        typist.context().settings.exportFormat = "adcirc";
+        typist.context().actions.run("file.export", typist.context());
+        typist.settle();
+        replaceText(typist, "dialog/export/elevation", "-4");
+        typist.write("c");
+    });
     const TemporaryFolder place;
     expectSame("sizes of a picture", [&](Typist &typist) {
         selectedRectangle(typist);

@@ -108,6 +108,8 @@ Document fullDocument() {
     document.picture = BackgroundPicture{"/maps/\"sea\" chart.png", {-3.0, 0.1}, {40.0, 30.5}, 0.25, true, 12.5};
     document.circleTolerance = 0.01;
     document.curveTolerance = 0.001;
+    document.openBoundaries = {7, 9};
+    document.elevation = "-5 - \"x\"*x";
     document.nextId = 12;
     return document;
 }

@@ -180,9 +180,12 @@ TEST_CASE("Script recorder: a mesh is recorded once for each document") {
     session.recorder().recordExport("a.msh", "gmsh", hash);
     CHECK(session.recorder().commands() == 3);
     CHECK(says(session, "\"format\": \"gmsh\""));
+    session.recorder().recordExport("a.14", "", hash, {"sea", "a \"b\""}, "-5 - x");
+    CHECK(says(session, "{\"command\": \"export\", \"file\": \"a.14\", \"open\": [\"sea\", \"a \\\"b\\\"\"], "
+                        "\"elevation\": \"-5 - x\"}\n"));
     session.apply(setSize(session.document(), 0.75));
     session.recorder().recordMesh(meshHash(meshDomain(jobOf(session.document()))->mesh));
-    CHECK(session.recorder().commands() == 5);
+    CHECK(session.recorder().commands() == 6);
     requireSame(replayed(session.text()), session.document(), session.text());
 }
 

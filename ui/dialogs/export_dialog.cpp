@@ -1,16 +1,19 @@
 #include "ui/dialogs/export_dialog.hpp"
 
-#include "core/drawing/names/region_commands.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/letter_case.hpp"
 #include "core/engine/base/out_of_memory.hpp"
+#include "core/engine/mesh/numbering.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
+#include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
+#include "core/files/open_boundaries.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/parts/shell.hpp"
-#include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/mesh/element_words.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -18,6 +21,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront {
 
@@ -147,42 +151,9 @@ std::vector<FilePreset> solverPresets() {
     return presets;
 }
 
-/// Names the boundary parts and regions as the file will have them.
-void drawPartNames(Shell &context) {
-    const Document &document = *context.document.current();
-    if (context.run.showsFile()) {
-        return; // its names are not those of the drawing
-    }
-    std::string names;
-    const auto add = [&names](const std::string &name) { names += (names.empty() ? "" : ", ") + name; };
-    for (const std::int32_t tag : boundaryTags(document)) {
-        add(boundaryName(document.boundaryNames, tag));
-    }
-    for (const auto &[tag, name] : document.regionNames) {
-        add(name);
-    }
-    ImGui::AlignTextToFramePadding();
-    const float room = ImGui::GetContentRegionAvail().x;
-    ui::muted(context, ui::oneLine("Names: " + names, room));
-    ui::mark(context, "dialog/export/names");
-    ui::tooltip(context, "Boundary parts and regions; F2 names what is selected. " + names);
-}
-
-/// Asks whether to export tagged edges inside the domain, or says why they are left out.
-void drawInnerEdges(Shell &context, const FileFilter &filter, bool &keep) {
-    if (acceptsInnerEdges({}, filter.id)) {
-        ui::checkbox(context, "dialog/export/inner-edges", "Include tagged edges inside the domain", keep);
-        return;
-    }
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, "Tagged edges inside the domain are left out: in this format they would be boundaries");
-    ui::mark(context, "dialog/export/no-inner-edges");
-}
-
 /// Returns true if files of a format can hold the mesh; says why if they cannot.
-bool drawHeld(Shell &context, const FileFilter &filter) {
-    const std::shared_ptr<const MeshSnapshot> mesh = finishedMesh(context);
-    const Status faults = mesh ? checkElements(*allFormats().withId(filter.id), mesh->view()) : Status();
+bool drawHeld(const MeshSnapshot &mesh, const FileFormat &format, Shell &context) {
+    const Status faults = checkElements(format, mesh.view());
     if (faults.empty()) {
         return true;
     }
@@ -205,29 +176,99 @@ std::uintmax_t bytesOf(const std::filesystem::path &path, const std::string &for
     return sum;
 }
 
-Diagnostics write(Shell &context, const std::filesystem::path &file, const FileFilter &filter, InnerEdges innerEdges) {
+/// A mesh to be written, with what is to be said of it.
+struct ExportJob {
+    std::shared_ptr<const MeshExport> mesh;
+    ExportOptions options;
+    MeshingJob drawing; ///< whose rasters, parameters and shore the elevation may call
+};
+
+/// Returns the elevations of the nodes. Faults: those of elevationsOf().
+Result<std::vector<double>> elevationsFor(const ExportJob &job) {
+    const std::string &expression = job.mesh->choice.elevation;
+    if (expression.empty()) {
+        return std::vector<double>();
+    }
+    Result<std::vector<double>> values =
+        elevationsOf(job.mesh->mesh->view(), expression, job.drawing.spacing, job.drawing.domain);
+    if (values) {
+        return values;
+    }
+    Diagnostics faults = values.faults();
+    for (Diagnostic &fault : faults) {
+        fault.message = "elevation: " + fault.message;
+    }
+    return faults;
+}
+
+/// Writes a mesh. Returns the faults or, if there are none, notes on the file.
+Diagnostics writeExport(const ExportJob &job, const Progress &progress) {
+    const MeshExport &exported = *job.mesh;
+    Result<std::vector<double>> elevations = elevationsFor(job);
+    if (!elevations) {
+        return elevations.faults();
+    }
+    const bool drops = exported.choice.innerEdges == InnerEdges::Drop;
+    const Mesh outline = drops ? withoutInnerEdges(exported.mesh->view()) : Mesh();
+    const MeshView kept = drops ? MeshView(outline) : exported.mesh->view();
+    const bool renumbers = usualNumbering(exported.file, exported.format) != Numbering::Creation;
+    const std::vector<NodeId> numbers = renumbers ? reverseCuthillMcKee(kept) : std::vector<NodeId>();
+    const Mesh numbered = renumbers ? renumbered(kept, numbers) : Mesh();
+    if (renumbers) {
+        *elevations = renumberedElevations(*elevations, numbers);
+    }
+    MeshView view = renumbers ? MeshView(numbered) : kept;
+    view.elevations = *elevations;
+    const Status written = writeMesh(exported.file, view, exported.format, progress, job.options);
+    if (hasErrors(written)) {
+        return written;
+    }
+    Diagnostics notes = exportNotes(exported.file, view, exported.format, job.options);
+    const Diagnostics land =
+        noteAllLand(exported.file, exported.format, job.options, "check open parts in File > Export mesh");
+    notes.insert(notes.end(), land.begin(), land.end());
+    if (hasOpenBoundaries(exported.file, exported.format)) {
+        const Diagnostics dry = warnOfDryElevations(*elevations);
+        notes.insert(notes.end(), dry.begin(), dry.end());
+    }
+    return notes;
+}
+
+/// Returns what is said of an export when it is done: the file, its size, and the notes on it that matter to a solver.
+std::string exportedText(const MeshExport &exported, const Diagnostics &notes) {
+    std::string text = "Exported mesh to " + exported.file.string() + ": " + elementsInWords(exported.mesh->view()) +
+                       ", " + fileSizeText(bytesOf(exported.file, exported.format));
+    for (const Diagnostic &note : notes) {
+        text += note.severity == Severity::Note ? "; " + note.message : "";
+    }
+    return text;
+}
+
+Diagnostics write(Shell &context, const std::filesystem::path &file, const FileFormat &format, ExportRows &rows) {
     const std::shared_ptr<const MeshSnapshot> mesh = finishedMesh(context);
     if (!mesh) {
         return error("no-mesh", "no finished mesh to export", "mesh the drawing first");
     }
-    ExportOptions options;
-    options.unit = context.run.shownUnit();
-    const auto job = [mesh, file, innerEdges, options, format = filter.id](const Progress &progress) {
-        const Mesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->view()) : Mesh();
-        const MeshView kept = innerEdges == InnerEdges::Drop ? MeshView(outline) : mesh->view();
-        const bool renumbers = usualNumbering(file, format) != Numbering::Creation;
-        const Mesh numbered = renumbers ? renumbered(kept, reverseCuthillMcKee(kept)) : Mesh();
-        const MeshView exported = renumbers ? MeshView(numbered) : kept;
-        const Status written = writeMesh(file, exported, format, progress, options);
-        return hasErrors(written) ? written : exportNotes(file, exported, format, options);
-    };
-    const auto exported = std::make_shared<const MeshExport>(MeshExport{mesh, file, filter.id, innerEdges});
-    const auto done = [exported, file, format = filter.id, elements = elementsInWords(mesh->view())](Shell &c) {
+    rows.keep(context, format);
+    ExportJob job;
+    job.mesh = std::make_shared<const MeshExport>(MeshExport{mesh, file, format.id, rows.choice(format)});
+    job.options.unit = context.run.shownUnit();
+    for (const auto &[tag, name] : job.mesh->choice.open) {
+        job.options.openBoundaries.push_back(tag);
+    }
+    if (!job.mesh->choice.elevation.empty()) {
+        job.drawing = context.run.job();
+    }
+    const auto notes = std::make_shared<Diagnostics>();
+    const auto done = [exported = job.mesh, notes](Shell &c) {
         c.written = exported;
-        c.log.announce("Exported mesh to " + file.string() + ": " + elements + ", " +
-                       fileSizeText(bytesOf(file, format)));
+        c.log.announce(exportedText(*exported, *notes));
     };
-    context.dialogs.open(std::make_unique<WriteDialog>(context.background, file.string(), job, done));
+    const auto work = [job = std::move(job), notes](const Progress &progress) {
+        *notes = writeExport(job, progress);
+        return *notes;
+    };
+    context.dialogs.open(std::make_unique<WriteDialog>(context.background, file.string(), work, done));
     return {};
 }
 
@@ -273,23 +314,23 @@ void exportMesh(Shell &context, std::string_view proposed) {
     request.writes = [](const std::filesystem::path &file, const FileFilter &filter) {
         return filesOfMesh(file, filter.id);
     };
-    const auto keepsInnerEdges = std::make_shared<bool>(true);
-    request.chosen = [keepsInnerEdges](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
+    const auto rows = std::make_shared<ExportRows>(*context.document.current());
+    request.chosen = [rows](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         c.settings.exportFormat = filter.id;
         c.exported = {file.stem().string(), c.document.loads()};
-        const bool keep = *keepsInnerEdges && acceptsInnerEdges(file, filter.id);
-        return write(c, file, filter, keep ? InnerEdges::Keep : InnerEdges::Drop);
+        return write(c, file, *allFormats().withId(filter.id), *rows);
     };
     request.presets = solverPresets();
-    request.extraLines = 3;
-    request.extra = [keepsInnerEdges, asked = false](Shell &c, const FileFilter &filter) mutable {
+    request.extraLines = [rows](const FileFilter &filter) { return 1 + rows->lines(*allFormats().withId(filter.id)); };
+    request.extra = [rows, asked = false](Shell &c, const FileFilter &filter) mutable {
+        const FileFormat &format = *allFormats().withId(filter.id);
         const bool ready = drawMeshLine(c, asked);
-        drawPartNames(c);
-        const bool held = ready && drawHeld(c, filter);
-        if (held || !ready) {
-            drawInnerEdges(c, filter, *keepsInnerEdges);
+        const std::shared_ptr<const MeshSnapshot> mesh = finishedMesh(c);
+        if (!ready || !mesh || !drawHeld(*mesh, format, c)) {
+            return false;
         }
-        return held;
+        rows->draw(c, format, mesh);
+        return !ui::showsFault(c, "dialog/export/elevation");
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }

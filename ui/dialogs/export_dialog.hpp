@@ -3,8 +3,8 @@
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/base/progress.hpp"
 #include "core/engine/session/snapshot.hpp"
-#include "core/files/inner_edges.hpp"
 #include "ui/background/latest.hpp"
+#include "ui/dialogs/export_rows.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 
 #include <filesystem>
@@ -21,7 +21,7 @@ struct MeshExport {
     std::shared_ptr<const MeshSnapshot> mesh;
     std::filesystem::path file;
     std::string format; ///< id
-    InnerEdges innerEdges = InnerEdges::Keep;
+    ExportChoice choice;
 };
 
 /// Writes a mesh on a separate thread and shows the progress. Cancel stops it and leaves no file.

@@ -56,7 +56,8 @@ struct FileRequest {
     /// Draws extra lines between the list and the buttons, for the chosen filter; returns false to disable the button.
     /// May be empty.
     std::function<bool(Shell &, const FileFilter &)> extra;
-    int extraLines = 1;                                  ///< number of lines that `extra` draws
+    /// Returns the number of lines that `extra` draws for a filter; unset: 1.
+    std::function<int(const FileFilter &)> extraLines;
     SnapshotLayers needs{.mesh = false, .front = false}; ///< parts of the run's snapshot that `chosen` uses
 };
 

@@ -34,8 +34,10 @@ float FileDialog::bottomHeight(const Shell &context) const {
     const float height = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
     float more = std::max(0.0F, height - ImGui::GetTextLineHeight());
     constexpr int kPlain = 84, kLine = 34;
-    const int lines = (request_.extra ? request_.extraLines : 0) + (request_.presets.empty() ? 0 : presetRows_) +
-                      (hasNotes() ? 1 : 0);
+    const int lines = (!request_.extra       ? 0
+                       : request_.extraLines ? request_.extraLines(filter())
+                                             : 1) +
+                      (request_.presets.empty() ? 0 : presetRows_) + (hasNotes() ? 1 : 0);
     if (hasNotes()) {
         const float width = ImGui::GetContentRegionMax().x - context.px(kNoteIndent);
         more += static_cast<float>(noteLines(context, width) - 2) * imgui::lineOf(*context.fonts.small);

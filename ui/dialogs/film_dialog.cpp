@@ -190,7 +190,7 @@ void exportFilm(Shell &context) {
     request.chosen = [settings](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         return film(c, planFor(*settings, file, filter));
     };
-    request.extraLines = 5;
+    request.extraLines = [](const FileFilter &) { return 5; };
     settings->plan.title = std::filesystem::path(request.name).stem().string();
     request.extra = [settings](Shell &c, const FileFilter &filter) {
         const bool page = std::string_view(filter.id) == "html";

@@ -95,7 +95,7 @@ void exportMoment(Shell &context) {
     request.chosen = [settings](Shell &c, const std::filesystem::path &file, const FileFilter &) {
         return writeMoment(c, *settings, file);
     };
-    request.extraLines = 3;
+    request.extraLines = [](const FileFilter &) { return 3; };
     request.extra = [settings](Shell &c, const FileFilter &) {
         drawFields(c, *settings);
         return true;

@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -132,12 +133,17 @@ void ScriptRecording::record(Shell &context, const MeshExport &exported) {
     const auto refuse = [&](const char *reason) {
         context.log.refuse("the export of " + exported.file.filename().string() + " is not in the script: " + reason);
     };
-    if (exported.innerEdges == InnerEdges::Drop && acceptsInnerEdges(exported.file, exported.format)) {
+    if (exported.choice.innerEdges == InnerEdges::Drop && acceptsInnerEdges(exported.file, exported.format)) {
         refuse("scripts write meshes with their tagged edges inside the domain");
     } else if (recordableMesh(context) != exported.mesh) {
         refuse("its mesh is not that of the drawing as it is now");
     } else {
-        recorder_->recordExport(inScript(exported.file), exported.format, meshHash(exported.mesh->view()));
+        std::vector<std::string> open;
+        for (const auto &[tag, name] : exported.choice.open) {
+            open.push_back(name);
+        }
+        recorder_->recordExport(inScript(exported.file), exported.format, meshHash(exported.mesh->view()), open,
+                                exported.choice.elevation);
     }
 }
 

@@ -13,6 +13,7 @@
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/number_field.hpp"
 #include "ui/workspace/typed_command.hpp"
+#include "ui/workspace/typed_length.hpp"
 
 #include <imgui.h>
 
@@ -247,10 +248,10 @@ void extentRows(Shell &context, const Shape &shape) {
     if (shape.is<PointForm>()) {
         return;
     }
-    const std::string unit = unitSuffix(context.document.current()->unit);
-    ui::field(context, "Length", ui::grouped(lengthOf(shape)) + unit, form::kLabel);
+    const LengthUnit unit = context.document.current()->unit;
+    ui::field(context, "Length", ui::grouped(lengthOf(shape)) + unitSuffix(unit), form::kLabel);
     if (isClosed(shape)) {
-        ui::field(context, "Area", ui::grouped(areaOf(shape)) + (unit.empty() ? "" : unit + "\xc2\xb2"), form::kLabel);
+        ui::field(context, "Area", ui::grouped(areaOf(shape)) + areaSuffix(unit), form::kLabel);
     }
 }
 

@@ -13,6 +13,7 @@
 #include "ui/style/measure_colours.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/typed_length.hpp"
 
 #include <imgui.h>
 
@@ -100,7 +101,10 @@ void areaRow(Shell &context, const MarkedRegion &marker) {
     ui::mark(context, "inspector/swatch");
     ImGui::SameLine(0, context.px(8));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(face != kNoIndex ? ui::grouped(faces->faces()[face].area, 6).c_str() : "not in a face");
+    const std::string area =
+        face == kNoIndex ? std::string("not in a face")
+                         : ui::grouped(faces->faces()[face].area, 6) + areaSuffix(context.document.current()->unit);
+    ImGui::TextUnformatted(area.c_str());
     ui::mark(context, "inspector/area");
     ui::rowTooltip(context, "Area of the face around the marker, to its curves and without its holes");
 }

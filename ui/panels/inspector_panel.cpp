@@ -355,7 +355,8 @@ void InspectorPanel::drawMany(Shell &context) const {
     }
     const Box2 box = boundsOf(document, selection);
     if (!box.empty()) {
-        ui::field(context, "Extent", ui::grouped(box.size().x) + " \xc3\x97 " + ui::grouped(box.size().y),
+        ui::field(context, "Extent",
+                  ui::grouped(box.size().x) + " \xc3\x97 " + ui::grouped(box.size().y) + unitSuffix(document.unit),
                   form::kLabel);
     }
     if (ui::button(context, "inspector/delete", "Delete all")) {

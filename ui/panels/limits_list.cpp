@@ -1,6 +1,7 @@
 #include "ui/panels/limits_list.hpp"
 
 #include "core/drawing/commands/limit_fix.hpp"
+#include "core/drawing/commands/unfixed_limit.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -58,6 +59,17 @@ void drawVerdict(Shell &context, const LimitVerdict &verdict, const std::string 
     }
 }
 
+/// Says under a broken limit that no setting helps, and why.
+void sayWhyNoFix(Shell &context, const LimitVerdict &verdict, const std::string &name) {
+    if (verdict.met() || verdict.broken == 0) {
+        return;
+    }
+    ImGui::SetCursorPosX(context.px(20));
+    ui::small(context, "No setting mends this: " + whyNoFix(verdict.limit, !context.document.current()->layers.empty()),
+              true);
+    ui::mark(context, name + "/unfixed");
+}
+
 /// Draws a link that changes the setting that a broken limit depends on, and says how.
 void drawFix(Shell &context, const LimitVerdict &verdict, const std::string &name) {
     if (context.run.showsFile()) {
@@ -65,6 +77,7 @@ void drawFix(Shell &context, const LimitVerdict &verdict, const std::string &nam
     }
     std::optional<LimitFix> fix = fixOf(*context.document.current(), verdict, context.judgement->of.spacing.get());
     if (!fix) {
+        sayWhyNoFix(context, verdict, name);
         return;
     }
     ImGui::SetCursorPosX(context.px(20));

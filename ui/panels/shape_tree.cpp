@@ -2,6 +2,7 @@
 
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/typed_length.hpp"
 
 #include <algorithm>
 
@@ -94,7 +95,7 @@ std::string rowDetail(const Document &document, const TreeRow &row) {
         return countOf(row.count, "segment", "segments");
     case RowKind::Region: {
         const double area = document.regionMarkers[row.index].maxArea;
-        return area > 0.0 ? "area \xe2\x89\xa4 " + ui::grouped(area, 3) : std::string();
+        return area > 0.0 ? "area \xe2\x89\xa4 " + ui::grouped(area, 3) + areaSuffix(document.unit) : std::string();
     }
     default:
         return ui::count(row.count);

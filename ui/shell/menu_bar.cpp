@@ -249,7 +249,8 @@ void drawRightEnd(Shell &context, const PixelRect &rect) {
     const float count = searches ? 3.0F : 4.0F;
     const float icons = width - context.px(10) - count * icon - (count - 1.0F) * context.px(4);
     float end = icons - context.px(8);
-    if (constexpr double kWideBar = 1100.0; rect.width >= static_cast<double>(context.px(kWideBar))) {
+    constexpr double kLeastSwitch = 84.0; // design pixels, that the switch of workspaces keeps
+    if (end - menus >= context.px(kExportButton + kLeastSwitch)) {
         end -= context.px(kExportButton);
         ImGui::SetCursorPosX(end);
         drawExport(context, rect);

@@ -86,6 +86,9 @@ class Ruler {
         }
         // Dear ImGui has no turned text: a quarter turn of its corners about the origin makes it read upwards.
         const ImVec2 origin{std::floor(static_cast<float>(rect_.x)), std::floor(at - shift)};
+        if (origin.y - ImGui::CalcTextSize(text.c_str()).x < static_cast<float>(rect_.y)) {
+            return; // it would lie on the unit in the corner
+        }
         const int before = list_.VtxBuffer.Size;
         list_.PushClipRectFullScreen(); // the text is clipped before it is turned
         list_.AddText(origin, context_.theme.muted, text.c_str());

@@ -86,13 +86,23 @@ class Cells {
     double left_, right_;
 };
 
-std::string pointerText(const View &view, LengthUnit unit) {
+std::string pointerText(const Workspace &context) {
+    const View &view = context.view;
     if (!view.pointer) {
         return "x \xe2\x80\x93   y \xe2\x80\x93";
     }
     const double step = view.camera.length(1.0);
-    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, 9);
-    return ui::format("x %.*f   y %.*f", decimals, view.pointer->x, decimals, view.pointer->y) + unitSuffix(unit);
+    const int pixels = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, 9);
+    const int decimals = std::max(pixels, coordinateDecimals(context.extent.diagonal(context.document)));
+    return ui::format("x %.*f   y %.*f", decimals, view.pointer->x, decimals, view.pointer->y) +
+           unitSuffix(context.document.current()->unit);
+}
+
+/// Returns the width of the cell for the pointer in design pixels, in steps, so that its neighbours rarely move.
+double pointerWidth(const Workspace &context, const std::string &text) {
+    constexpr double kLeast = 150.0, kStep = 30.0, kPad = 20.0;
+    const double width = static_cast<double>(ImGui::CalcTextSize(text.c_str()).x / context.scale) + kPad;
+    return std::max(kLeast, kStep * std::ceil(width / kStep));
 }
 
 /// Rounds a predicted count to two digits, since further digits mean nothing and would flicker.
@@ -327,7 +337,8 @@ void drawStatusBar(Shell &context, const PixelRect &rect) {
                                         context.theme.line);
     ImGui::PushFont(context.fonts.small);
     Cells cells(context, rect);
-    cells.add("pointer", pointerText(context.view, context.document.current()->unit), context.theme.muted, 150);
+    const std::string pointer = pointerText(context);
+    cells.add("pointer", pointer, context.theme.muted, pointerWidth(context, pointer));
     addLog(cells, context);
     addRecording(cells, context);
     addFigures(cells, context);

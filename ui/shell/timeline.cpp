@@ -147,6 +147,13 @@ std::string invitation(const Workspace &context) {
 
 } // namespace
 
+/// Returns the beginning of a sentence on a finished front up to its first letter, t: in symbols where the front is
+/// watched, in the workspace Step and in lessons.
+std::string frontEmpty(const Shell &context) {
+    const bool watched = context.settings.workspace == WorkspaceKind::Step || context.lessons.open;
+    return watched ? "\xce\x93 = \xe2\x88\x85: t" : "T";
+}
+
 std::string stateText(const Shell &context) {
     const SessionSnapshot &run = context.run.now();
     if (context.run.cancelling()) {
@@ -184,12 +191,12 @@ std::string stateText(const Shell &context) {
         return caption(*run.improvement, run.improveSteps);
     }
     if (run.frontDone() && run.improveSteps > 0 && run.improveStep == 0 && run.eventCursor >= run.eventCount) {
-        return "\xce\x93 = \xe2\x88\x85: the mesh as the front leaves it. " +
+        return frontEmpty(context) + "he mesh as the front leaves it. " +
                (run.improveSteps == 1 ? std::string("One step of improvement follows.")
                                       : ui::count(run.improveSteps) + " steps of improvement follow.");
     }
     if (atEnd && (run.improved || run.frontSegments == 0) && run.eventCursor >= run.eventCount) {
-        return "\xce\x93 = \xe2\x88\x85: the domain is meshed" +
+        return frontEmpty(context) + "he domain is meshed" +
                std::string(run.improved ? " and the mesh improved." : ".");
     }
     if (run.explanation) {

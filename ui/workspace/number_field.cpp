@@ -5,6 +5,7 @@
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/coordinate_text.hpp"
 #include "ui/workspace/typed_length.hpp"
 #include "ui/workspace/workspace.hpp"
 
@@ -125,20 +126,20 @@ void offerValue(Workspace &context, std::string_view name, const std::string &fo
 }
 
 /// Returns a number as a field shows it: rounded, or in full while it is edited, so that nothing is lost.
-std::string shownNumber(const WidgetContext &context, std::string_view name, double value, float width,
+std::string shownNumber(const Workspace &context, std::string_view name, double value, float width,
                         Digits digits = Digits::Rounded) {
     return showsEdited(context, name, width) ? editedNumber(value)
            : digits == Digits::Listed        ? listedNumber(value)
-                                             : number(value, 6);
+                                             : coordinateText(value, context.extent.diagonal(context.document));
 }
 
-/// Shows the unit at the right end of the field just drawn, unless it is edited or its text leaves no room.
-void drawUnit(const Workspace &context, std::string_view name, const std::string &text, LengthUnit unit) {
+/// Shows the unit in a suffix at the right end of the field just drawn, unless it is edited or its text leaves no room.
+void drawUnit(const Workspace &context, std::string_view name, const std::string &text, const std::string &suffix) {
     const bool edited = context.widgets.fields.entry && context.widgets.fields.entry->name == name;
-    if (unit == LengthUnit::None || edited || text.empty()) {
+    if (suffix.empty() || edited || text.empty()) {
         return;
     }
-    const std::string word(wordOf(unit));
+    const std::string word(trimmed(suffix));
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     const float pad = ImGui::GetStyle().FramePadding.x;
     const ImFont &font = *context.fonts.small;
@@ -164,7 +165,8 @@ std::optional<std::string> drawEntry(Workspace &context, std::string_view name, 
     const std::string plain = value ? shownNumber(context, name, *value, width, digits) : std::string();
     std::string typed = formula.empty() ? plain : formula;
     const bool committed = entry(context, name, typed, hint, width, true);
-    drawUnit(context, name, typed, unit);
+    const bool area = address && lengthPower(*context.document.current(), *address) == 2;
+    drawUnit(context, name, typed, area ? areaSuffix(context.document.current()->unit) : unitSuffix(unit));
     offerValue(context, name, formula, plain);
     drawFault(context, name);
     return committed ? std::optional(inUnit(typed, unit)) : std::nullopt;
@@ -336,7 +338,7 @@ bool inputExpression(Workspace &context, std::string_view name, double &value, s
     const std::string plain = shownNumber(context, name, value, width);
     std::string typed = formula.empty() ? plain : formula;
     const bool committed = entry(context, name, typed, "", width, true);
-    drawUnit(context, name, typed, unit);
+    drawUnit(context, name, typed, unitSuffix(unit));
     offerValue(context, name, formula, plain);
     drawFault(context, name);
     typed = committed ? inUnit(typed, unit) : typed;

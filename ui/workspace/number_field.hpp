@@ -19,8 +19,8 @@ namespace ui {
 /// The address of the number of the document that a field shows, if it shows one.
 using FieldAddress = std::optional<NumberAddress>;
 
-/// The digits that a field shows while it is not edited: six, or those of listedNumber(). While it is edited, it shows
-/// all.
+/// The digits that a field shows while it is not edited: those of coordinateText(), or of listedNumber(). While it is
+/// edited, it shows all.
 enum class Digits : std::uint8_t { Rounded, Listed };
 
 /// Draws an entry() for a number or an expression of the parameters. A text without a finite value is reported beside

@@ -39,6 +39,10 @@ std::string inUnit(const std::string &text, LengthUnit unit) {
     return factor ? exactText(*factor * typed->value) : text;
 }
 
+std::string areaSuffix(LengthUnit unit) {
+    return unit == LengthUnit::None ? std::string() : unitSuffix(unit) + "\xc2\xb2";
+}
+
 std::string unitFault(const Document &document, std::string_view text) {
     const std::optional<TypedLength> typed = parseTypedLength(text);
     if (!typed) {

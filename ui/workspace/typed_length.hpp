@@ -23,6 +23,9 @@ std::optional<TypedLength> parseTypedLength(std::string_view text);
 /// is, and so do all where `unit` is none.
 std::string inUnit(const std::string &text, LengthUnit unit);
 
+/// Returns the square of a unit as it follows an area, " m²"; empty without a unit.
+std::string areaSuffix(LengthUnit unit);
+
 /// Returns why a text with a unit that inUnit() has not converted is no number; empty for one without a unit.
 std::string unitFault(const Document &document, std::string_view text);
 

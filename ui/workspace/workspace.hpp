@@ -5,6 +5,7 @@
 #include "core/engine/base/result.hpp"
 #include "ui/background/background_list.hpp"
 #include "ui/widgets/widget_context.hpp"
+#include "ui/workspace/coordinate_text.hpp"
 #include "ui/workspace/document/document_examiner.hpp"
 #include "ui/workspace/document/document_store.hpp"
 #include "ui/workspace/document/picture_store.hpp"
@@ -53,6 +54,7 @@ struct Workspace : WidgetContext {
     MeshJudge judge{background};
     std::shared_ptr<const Judgement> judgement = judge.now(); ///< of this frame, never null
     PictureStore pictures{background};
+    DrawingExtent extent;
     Probe probe;
     View view;
     Selection selection;

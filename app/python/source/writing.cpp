@@ -12,6 +12,7 @@
 #include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
+#include "core/files/open_boundaries.hpp"
 #include "core/files/text/text_writer.hpp"
 
 #include <cmath>
@@ -191,9 +192,7 @@ FormedMesh formedMesh(const Mesh &mesh, const Writing &how) {
     if (how.numbering == Numbering::ReverseCuthillMcKee) {
         const std::vector<NodeId> numbers = reverseCuthillMcKee(mesh);
         formed.numbered = renumbered(formed.view(), numbers);
-        for (std::size_t n = 0; n < how.elevations.size(); ++n) {
-            formed.elevations[index(numbers[n])] = how.elevations[n];
-        }
+        formed.elevations = renumberedElevations(how.elevations, numbers);
     }
     return formed;
 }
@@ -207,8 +206,8 @@ Diagnostics notesOn(const FormedMesh &formed, const Writing &how) {
         note.file = how.path.string();
         notes.push_back(std::move(note));
     };
-    if (how.options.openBoundaries.empty() && hasOpenBoundaries(how.path, how.format)) {
-        add("no-open-boundary", "all of the boundary is land; open=[name] opens a part");
+    for (Diagnostic &note : noteAllLand(how.path, how.format, how.options, "open=[name] opens a part")) {
+        notes.push_back(std::move(note));
     }
     if (!how.options.extrusion && solidsOnly(how.path, how.format)) {
         add("thickness", "the mesh is one cell thick, " + numberText(usualExtrusion(mesh).height, 4) +

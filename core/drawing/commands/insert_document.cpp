@@ -132,9 +132,13 @@ Document inserted(const Document &document, const Document &other, double scale,
     };
     std::copy_if(other.periodic.begin(), other.periodic.end(), std::back_inserter(next.periodic),
                  [&](const PeriodicSpec &spec) { return isNew(spec.from) && isNew(spec.to); });
-    std::copy_if(other.cracks.begin(), other.cracks.end(), std::back_inserter(next.cracks), [&](std::int32_t tag) {
-        return !std::binary_search(known.begin(), known.end(), tag) && std::ranges::count(document.cracks, tag) == 0;
-    });
+    const auto copyTags = [&](std::vector<std::int32_t> Document::*list) {
+        std::ranges::copy_if(other.*list, std::back_inserter(next.*list), [&](std::int32_t tag) {
+            return !std::binary_search(known.begin(), known.end(), tag) && std::ranges::count(document.*list, tag) == 0;
+        });
+    };
+    copyTags(&Document::cracks);
+    copyTags(&Document::openBoundaries);
     for (StripSpec spec : other.strips) {
         const bool taken =
             std::ranges::any_of(document.strips, [&](const StripSpec &own) { return own.tag == spec.tag; });

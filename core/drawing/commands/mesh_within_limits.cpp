@@ -1,6 +1,7 @@
 #include "core/drawing/commands/mesh_within_limits.hpp"
 
 #include "core/drawing/commands/limit_fix.hpp"
+#include "core/drawing/commands/unfixed_limit.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
@@ -37,15 +38,6 @@ std::string applyFixes(const std::vector<LimitVerdict> &verdicts, const SpacingF
     return changes;
 }
 
-const char *adviceOn(MeshLimit limit, bool layered) {
-    const bool aspect = limit == MeshLimit::MaxAspect || limit == MeshLimit::MaxLayerAspect;
-    return limit == MeshLimit::MinIslandArea ? "islands belong to the outline: remove the small ones from the drawing"
-           : layered && aspect ? "the heights of boundary layers are given: make the first one higher, or limit their "
-                                 "aspect ratio apart "
-                                 "from that of the other elements"
-                               : "change the outline there, or the limit; a check of the mesh lists the places";
-}
-
 /// Notes the limits that are still violated and why nothing more is done about them.
 void noteWhatIsLeft(const std::vector<LimitVerdict> &verdicts, bool layered, Diagnostics &remarks) {
     for (const LimitVerdict &verdict : verdicts) {
@@ -54,7 +46,7 @@ void noteWhatIsLeft(const std::vector<LimitVerdict> &verdicts, bool layered, Dia
                                      std::string("no setting mends ") + limitInfo(verdict.limit).name + ' ' +
                                          valueText(verdict.limit, verdict.bound) + " at " +
                                          countText(verdict.broken, "place"),
-                                     adviceOn(verdict.limit, layered)));
+                                     whyNoFix(verdict.limit, layered) + "; a check of the mesh lists the places"));
         }
     }
 }

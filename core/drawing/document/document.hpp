@@ -78,6 +78,8 @@ struct Document {
     std::vector<PeriodicSpec> periodic;         ///< tags that are divided alike, each in one pair at most
     std::vector<std::int32_t> cracks;           ///< tags of inner lines that are cracks, each once
     std::vector<MappedSpec> mapped;             ///< regions that are filled by rows, each once
+    std::vector<std::int32_t> openBoundaries;   ///< tags of parts through which water flows, each once
+    std::string elevation;                      ///< of the nodes, an expression: see elevationsOf(); empty: none
     std::vector<StripSpec> strips;              ///< inner lines with a width, at most one specification for each tag
     std::vector<RegionElements> regionElements; ///< regions with other elements than `options` asks for, each once
     MeshingOptions options;

@@ -21,7 +21,8 @@ bool sameConstraints(const Document &a, const Document &b) {
 bool sameContent(const Document &a, const Document &b) {
     return a.options == b.options && a.limits == b.limits && a.parameters == b.parameters && a.formulas == b.formulas &&
            a.picture == b.picture && a.unit == b.unit && a.guides == b.guides && a.elementCounts == b.elementCounts &&
-           a.layers == b.layers && a.periodic == b.periodic && a.cracks == b.cracks && a.mapped == b.mapped &&
+           a.layers == b.layers && a.periodic == b.periodic && a.cracks == b.cracks &&
+           a.openBoundaries == b.openBoundaries && a.elevation == b.elevation && a.mapped == b.mapped &&
            a.strips == b.strips && a.regionElements == b.regionElements && sameDomain(a, b) && sameConstraints(a, b) &&
            sameContent(a.spacing, b.spacing);
 }
@@ -33,6 +34,8 @@ bool sameForMesher(const Document &a, const Document &b) {
     other.guides = b.guides;
     other.unit = b.unit;
     other.constraints = b.constraints;
+    other.openBoundaries = b.openBoundaries;
+    other.elevation = b.elevation;
     return sameContent(other, b);
 }
 

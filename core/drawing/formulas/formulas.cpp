@@ -231,6 +231,9 @@ std::vector<std::string> usersOf(const Document &document, const std::string &na
     if (document.spacing.expression && uses(*document.spacing.expression)) {
         users.emplace_back("the spacing expression");
     }
+    if (uses(document.elevation)) {
+        users.emplace_back("the elevation");
+    }
     return users;
 }
 
@@ -277,6 +280,7 @@ Result<Document> renameParameter(const Document &document, std::size_t index, co
     if (next.spacing.expression) {
         next.spacing.expression = renameIn(*next.spacing.expression, change);
     }
+    next.elevation = renameIn(next.elevation, change);
     return setParameters(next, next.parameters);
 }
 

@@ -85,6 +85,9 @@ void retagBoundaries(Document &document, const Tags &tags) {
     for (std::int32_t &tag : document.cracks) {
         tag = newTag(tags, tag);
     }
+    for (std::int32_t &tag : document.openBoundaries) {
+        tag = newTag(tags, tag);
+    }
     for (StripSpec &spec : document.strips) {
         spec.tag = newTag(tags, spec.tag);
     }

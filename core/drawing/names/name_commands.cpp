@@ -73,6 +73,9 @@ std::int32_t freeBoundaryTag(const Document &document) {
     for (const std::int32_t tag : document.cracks) {
         last = std::max(last, tag);
     }
+    for (const std::int32_t tag : document.openBoundaries) {
+        last = std::max(last, tag);
+    }
     for (const StripSpec &spec : document.strips) {
         last = std::max(last, spec.tag);
     }
@@ -118,6 +121,7 @@ Result<Document> renameBoundaryTag(const Document &document, std::int32_t tag, c
     std::erase_if(merged.layers, [&](const LayerSpec &layer) { return layer.tag == tag; });
     std::erase_if(merged.periodic, [&](const PeriodicSpec &spec) { return spec.from == tag || spec.to == tag; });
     std::erase(merged.cracks, tag);
+    std::erase(merged.openBoundaries, tag);
     std::erase_if(merged.strips, [&](const StripSpec &spec) { return spec.tag == tag; });
     return all.shapes.empty() && all.segments.empty() ? merged : nameBoundaryPart(merged, all, name);
 }

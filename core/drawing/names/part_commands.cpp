@@ -40,8 +40,8 @@ const Spec *specOf(const std::vector<Spec> &specs, std::int32_t tag) {
     return found == specs.end() ? nullptr : &*found;
 }
 
-/// Gives one tag what another one has: sizes, numbers of elements, layers, cracks and strips. Of periodic parts there
-/// are two each, no more.
+/// Gives one tag what another one has: sizes, numbers of elements, layers, cracks, strips and whether water flows
+/// through it. Of periodic parts there are two each, no more.
 void copyProperties(Document &document, std::int32_t from, std::int32_t to) {
     const auto copySpec = [&](auto &specs) {
         const auto *const found = specOf(specs, from);
@@ -61,6 +61,9 @@ void copyProperties(Document &document, std::int32_t from, std::int32_t to) {
     }
     if (isCrack(document, from)) {
         document.cracks.push_back(to);
+    }
+    if (std::ranges::count(document.openBoundaries, from) > 0) {
+        document.openBoundaries.push_back(to);
     }
 }
 

@@ -16,6 +16,7 @@
 #include "core/drawing_files/project/project_region_elements.hpp"
 #include "core/drawing_files/project/project_spacing.hpp"
 #include "core/drawing_files/project/project_strips.hpp"
+#include "core/drawing_files/project/project_water.hpp"
 #include "core/drawing_files/project/project_words.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/json/json_check.hpp"
@@ -86,6 +87,7 @@ class ProjectReader {
         readLayers(root, document_, check_);
         readPeriodic(root, document_, check_);
         readCracks(root, document_, check_);
+        readWater(root, document_, check_);
         readMapped(root, document_, check_);
         readStrips(root, document_, check_);
         readRegionElements(root, document_, check_);
@@ -97,7 +99,8 @@ class ProjectReader {
                                   "regionNames",     "spacing",        "options",    "limits",         "nextId",
                                   "circleTolerance", "curveTolerance", "parameters", "formulas",       "picture",
                                   "elementCounts",   "constraints",    "guides",     "layers",         "periodic",
-                                  "cracks",          "mapped",         "strips",     "regionElements", "unit"});
+                                  "cracks",          "mapped",         "strips",     "regionElements", "unit",
+                                  "openBoundaries",  "elevation"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }

@@ -12,6 +12,7 @@
 #include "core/drawing_files/project/project_region_elements.hpp"
 #include "core/drawing_files/project/project_spacing.hpp"
 #include "core/drawing_files/project/project_strips.hpp"
+#include "core/drawing_files/project/project_water.hpp"
 #include "core/drawing_files/project/project_words.hpp"
 #include "core/files/json/json.hpp"
 #include "core/files/json/json_text.hpp"
@@ -44,6 +45,7 @@ class ProjectWriter {
         writeLayers(document, out_);
         writePeriodic(document, out_);
         writeCracks(document, out_);
+        writeWater(document, out_);
         writeMapped(document, out_);
         writeStrips(document, out_);
         writeRegionElements(document, out_);

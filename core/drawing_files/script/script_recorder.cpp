@@ -75,10 +75,17 @@ void ScriptRecorder::recordMesh(std::uint64_t hash) {
     meshed_ = true;
 }
 
-void ScriptRecorder::recordExport(const std::filesystem::path &file, const std::string &format, std::uint64_t hash) {
+void ScriptRecorder::recordExport(const std::filesystem::path &file, const std::string &format, std::uint64_t hash,
+                                  const std::vector<std::string> &open, const std::string &elevation) {
     recordMesh(hash);
+    std::string names;
+    for (const std::string &name : open) {
+        names += (names.empty() ? "" : ", ") + jsonString(name);
+    }
     write("{\"command\": \"export\", \"file\": " + jsonString(file.string()) +
-          (format.empty() ? "" : ", \"format\": " + jsonString(format)) + "}");
+          (format.empty() ? "" : ", \"format\": " + jsonString(format)) +
+          (names.empty() ? "" : ", \"open\": [" + names + "]") +
+          (elevation.empty() ? "" : ", \"elevation\": " + jsonString(elevation)) + "}");
     meshed_ = true;
 }
 

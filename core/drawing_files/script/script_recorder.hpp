@@ -27,8 +27,10 @@ class ScriptRecorder {
     /// Records that the current document was meshed, unless that has been recorded; `hash`: of the mesh, which a replay
     /// must reproduce.
     void recordMesh(std::uint64_t hash);
-    /// Records that the mesh of the current document was written to a file in a format of that id.
-    void recordExport(const std::filesystem::path &file, const std::string &format, std::uint64_t hash);
+    /// Records that the mesh of the current document was written to a file in a format of that id, with the names of
+    /// the open boundary parts and an expression for the elevation; both may be empty.
+    void recordExport(const std::filesystem::path &file, const std::string &format, std::uint64_t hash,
+                      const std::vector<std::string> &open = {}, const std::string &elevation = {});
 
     /// Records that the current document was saved to a project file.
     void recordSave(const std::filesystem::path &file);

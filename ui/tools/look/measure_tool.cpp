@@ -5,6 +5,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/typed_length.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -121,12 +122,14 @@ std::vector<Vec2> MeasureTool::points() const {
 MeasureTool::Values MeasureTool::values(const Shell &context) const {
     Values found;
     const std::vector<Vec2> at = points();
+    const LengthUnit unit = context.document.current()->unit;
+    const auto inUnit = [unit](double value) { return ui::number(value, 6) + unitSuffix(unit); };
     if (mode_ == MeasureMode::Distance && at.size() == 2) {
         const Vec2 arm = at[1] - at[0];
         const double angle = std::atan2(arm.y, arm.x) * 180.0 / std::numbers::pi;
-        return {{"", ui::number(length(arm), 6)},
-                {"\xce\x94x", ui::number(arm.x, 6)},
-                {"\xce\x94y", ui::number(arm.y, 6)},
+        return {{"", inUnit(length(arm))},
+                {"\xce\x94x", inUnit(arm.x)},
+                {"\xce\x94y", inUnit(arm.y)},
                 {kAngleSign, degrees(angle)}};
     }
     if (mode_ == MeasureMode::Angle && at.size() == 3) {
@@ -141,13 +144,12 @@ MeasureTool::Values MeasureTool::values(const Shell &context) const {
                 {"supplement", degrees(std::max(angle, 180.0 - angle))}};
     }
     if (mode_ == MeasureMode::Object && face_) {
-        return {{"area", ui::number(face_->area, 6)}, {"perimeter", ui::number(face_->perimeter, 6)}};
+        return {{"area", ui::number(face_->area, 6) + areaSuffix(unit)}, {"perimeter", inUnit(face_->perimeter)}};
     }
     const std::optional<Picked> hovered = picked_.empty() && over_ ? segmentUnder(context) : std::nullopt;
     if (mode_ == MeasureMode::Object && (hovered || !picked_.empty())) {
         for (const SegmentMeasure &quantity : measureCurve(hovered ? hovered->curve : picked_.front().curve)) {
-            found.emplace_back(quantity.name,
-                               quantity.isAngle ? degrees(quantity.value) : ui::number(quantity.value, 6));
+            found.emplace_back(quantity.name, quantity.isAngle ? degrees(quantity.value) : inUnit(quantity.value));
         }
     }
     return found;

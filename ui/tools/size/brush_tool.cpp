@@ -88,7 +88,8 @@ void BrushTool::pick(Vec2 place, Shell &context) {
         return;
     }
     state_->brushSpacing = roundedTo(rho, 2);
-    context.log.announce("The brush paints \xcf\x81 = " + ui::number(state_->brushSpacing, 3));
+    context.log.announce("The brush paints \xcf\x81 = " + ui::number(state_->brushSpacing, 3) +
+                         unitSuffix(context.document.current()->unit));
 }
 
 void BrushTool::begin(const CanvasEvent &event, Shell &context) {

@@ -135,9 +135,11 @@ std::uint64_t RunControl::meshRevision() const {
         const auto known = run_->meshRevisions.find(revision);
         // A command that changes only what the mesher looks at need not be compared as a whole.
         const bool other =
-            run_->seen && !(run_->seen->limits == document->limits && run_->seen->picture == document->picture &&
-                            run_->seen->guides == document->guides && run_->seen->unit == document->unit &&
-                            run_->seen->constraints == document->constraints);
+            run_->seen &&
+            !(run_->seen->limits == document->limits && run_->seen->picture == document->picture &&
+              run_->seen->guides == document->guides && run_->seen->unit == document->unit &&
+              run_->seen->openBoundaries == document->openBoundaries && run_->seen->elevation == document->elevation &&
+              run_->seen->constraints == document->constraints);
         const bool same = other && sameForMesher(*run_->seen, *document);
         run_->meshRevision = known != run_->meshRevisions.end() ? known->second : same ? run_->meshRevision : revision;
         run_->meshRevisions[revision] = run_->meshRevision;
