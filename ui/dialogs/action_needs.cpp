@@ -11,10 +11,12 @@ void addActionNeeds(ActionRegistry &actions) {
     constexpr const char *kParts =
         "select segments, each by a second click (more with Shift), nodes, circles or points";
     constexpr const char *kShapes = "select whole shapes, not their nodes or segments";
+    constexpr const char *kPlaced = "select something; of a region, its border: Edit > Select border of region";
     constexpr struct {
         const char *action, *needs;
     } kNeeds[] = {
         {"edit.duplicate", kShapes},
+        {"edit.selectBorder", "click inside a region"},
         {"edit.toPath", kShapes},
         {"path.corner", kPathNodes},
         {"path.smooth", kPathNodes},
@@ -23,6 +25,11 @@ void addActionNeeds(ActionRegistry &actions) {
         {"path.curve", kPathSegments},
         {"path.split", "select one node of a path"},
         {"path.join", "select two ends of paths"},
+        {"shape.transform", kPlaced},
+        {"shape.mirrorX", kPlaced},
+        {"shape.mirrorY", kPlaced},
+        {"shape.turnLeft", kPlaced},
+        {"shape.turnRight", kPlaced},
         {"shape.linearArray", kShapes},
         {"shape.polarArray", kShapes},
         {"shape.offset", kShapes},
