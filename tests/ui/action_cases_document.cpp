@@ -1,9 +1,12 @@
 #include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/files/files.hpp"
+#include "tests/support/two_counties.hpp"
 #include "tests/ui/action_cases.hpp"
 
+#include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -98,6 +101,14 @@ std::vector<ActionCase> editCases() {
         {"edit.delete", drawTriangle, [](D &d, const B &) { return count(d) == 0; }},
         {"edit.duplicate", drawTriangle,
          [](D &d, const B &b) { return count(d) == 2 && d.context().selection != b.selection; }},
+        {"edit.selectBorder",
+         [](D &d) {
+             d.context().document.apply(twoCounties(), "Map");
+             d.context().selection = {.markers = {0}};
+         },
+         [](D &d, const B &) {
+             return d.context().selection.shapes == std::set<std::uint32_t>{1, 3};
+         }},
         {"edit.selectAll",
          [](D &d) {
              drawThree(d);

@@ -1,6 +1,7 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/files/files.hpp"
+#include "tests/support/two_counties.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "tests/ui/shot.hpp"
 #include "ui/dialogs/changed_file.hpp"
@@ -135,6 +136,20 @@ void openTabs(Driver &driver) {
         driver.settle();
     }
     driver.key(key::kPageUp, {Modifiers::kControl});
+}
+
+/// Picks a county of a map, and points at its neighbour.
+void pickCounty(Driver &driver) {
+    Shell &context = driver.context();
+    context.actions.run("file.new", context);
+    driver.settle();
+    context.document.apply(twoCounties({1, 2}), "Import");
+    context.tools.choose("select", context);
+    context.actions.run("view.fit", context);
+    driver.settle();
+    driver.clickAt(context.view.camera.toPixel({2, 4}));
+    driver.settle();
+    driver.moveTo(context.view.camera.toPixel({8, 4}));
 }
 
 std::vector<Shot> scenes() {
@@ -362,7 +377,8 @@ std::vector<Shot> scenes() {
                      driver.settle();
                  }
              }},
-            {"answers", [](Driver &driver) { // of a lesson with random numbers, when others are chosen
+            {"answers",
+             [](Driver &driver) { // of a lesson with random numbers, when others are chosen
                  const std::vector<LessonEntry> list = driver.context().lessons.list;
                  const auto grid = std::find_if(list.begin(), list.end(),
                                                 [](const LessonEntry &entry) { return entry.id == "10-dynamic-grid"; });
@@ -372,7 +388,8 @@ std::vector<Shot> scenes() {
                  driver.key(key::k0 + 2, kAlt);
                  driver.settle();
                  driver.click("lesson/numbers");
-             }}};
+             }},
+            {"regions", pickCounty, true}};
 }
 
 } // namespace

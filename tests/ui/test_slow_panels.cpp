@@ -203,6 +203,16 @@ TEST_CASE("Slow frames: tags and names of boundaries and regions, and their size
                           {"inspector/regiongrowth", "0.35"}});
         typist.write("v");
     });
+    expectSame("regions", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.finish();
+        Document document = typist.document();
+        document.regionMarkers = {{{4, 4}, 2}, {{3, 3}, 2}};
+        showDrawn(typist, std::move(document), {.markers = {0, 1}});
+        typist.touch("inspector/tag");
+        typeOver(typist, {{"inspector/tag", "4"}, {"inspector/maxarea", "0.2"}, {"inspector/regionsize", "0.3"}});
+        typist.write("v");
+    });
     expectSame("names", [](Typist &typist) {
         typedRectangle(typist);
         typist.write("v");

@@ -12,10 +12,12 @@ void addActionNeeds(ActionRegistry &actions) {
         "select nodes, circles, points, or segments by a second click; with Shift also shapes, each clicked at the "
         "segment that is meant";
     constexpr const char *kShapes = "select whole shapes, not their nodes or segments";
+    constexpr const char *kPlaced = "select something; of a region, its border: Edit > Select border of region";
     constexpr struct {
         const char *action, *needs;
     } kNeeds[] = {
         {"edit.duplicate", kShapes},
+        {"edit.selectBorder", "click inside a region"},
         {"edit.toPath", kShapes},
         {"path.corner", kPathNodes},
         {"path.smooth", kPathNodes},
@@ -24,6 +26,11 @@ void addActionNeeds(ActionRegistry &actions) {
         {"path.curve", kPathSegments},
         {"path.split", "select one node of a path"},
         {"path.join", "select two ends of paths"},
+        {"shape.transform", kPlaced},
+        {"shape.mirrorX", kPlaced},
+        {"shape.mirrorY", kPlaced},
+        {"shape.turnLeft", kPlaced},
+        {"shape.turnRight", kPlaced},
         {"shape.linearArray", kShapes},
         {"shape.polarArray", kShapes},
         {"shape.offset", kShapes},

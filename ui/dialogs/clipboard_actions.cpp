@@ -3,16 +3,20 @@
 #include "core/drawing/commands/insert_document.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/clipboard/clipboard.hpp"
+#include "ui/dialogs/region_actions.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
 
+#include <optional>
 #include <utility>
 
 namespace forefront {
 namespace {
 
 void copy(Shell &context) {
-    context.platform.copyDrawing(clipboardText(*context.document.current(), context.selection));
+    const std::optional<Document> faces = drawingOfFaces(context);
+    context.platform.copyDrawing(faces ? clipboardText(*faces)
+                                       : clipboardText(*context.document.current(), context.selection));
 }
 
 /// Inserts the drawing on the clipboard where it was copied from, or beside what is already there.
@@ -58,7 +62,8 @@ void copyAny(Shell &context) {
 
 bool canCopy(const Shell &context) {
     const Selection &selection = context.selection;
-    return !selection.shapes.empty() || !selection.sources.empty() || !selection.markers.empty();
+    return !selection.shapes.empty() || !selection.sources.empty() || !selection.markers.empty() ||
+           selection.onlyFaces();
 }
 
 void addClipboardActions(ActionRegistry &actions) {
@@ -69,6 +74,9 @@ void addClipboardActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          copy(c);
+                         if (deleteRegions(c, "Cut")) {
+                             return;
+                         }
                          c.selection.nodes.clear(); // nodes and segments on their own are not copied
                          c.selection.segments.clear();
                          c.applyCommand(deleteSelection(*c.document.current(), c.selection), "Cut");

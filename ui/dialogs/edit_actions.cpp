@@ -13,6 +13,7 @@
 #include "ui/dialogs/naming_actions.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/dialogs/preferences_dialog.hpp"
+#include "ui/dialogs/region_actions.hpp"
 #include "ui/dialogs/repair_dialog.hpp"
 #include "ui/dialogs/shape_actions.hpp"
 #include "ui/dialogs/tab_commands.hpp"
@@ -193,6 +194,7 @@ void travel(Shell &context, bool (DocumentStore::*step)()) {
     (context.document.*step)();
     keepPictureInView(context, *before);
     keepDrawingInView(context);
+    context.selection.faces.clear(); // their places belong to the drawing before the step
 }
 
 void undo(Shell &context) {
@@ -335,6 +337,9 @@ void addSelectionActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kDelete, kNoModifiers}},
                  .run =
                      [](Shell &c) {
+                         if (deleteRegions(c, "Delete")) {
+                             return;
+                         }
                          const Document &document = *c.document.current();
                          const bool shapes = c.selection.nodes.empty(); // joints are those of nodes
                          if (shapes ? c.applyCommand(deleteSelection(document, c.selection), "Delete")
@@ -350,6 +355,9 @@ void addSelectionActions(ActionRegistry &actions) {
          .shortcuts = {{'D', kControl}},
          .run =
              [](Shell &c) {
+                 if (duplicateFaces(c)) {
+                     return;
+                 }
                  Selection copies;
                  const double step = 2.0 * EditState::gridStep(c);
                  if (c.applyCommand(duplicateSelection(*c.document.current(), c.selection, {step, -step}, &copies),
@@ -357,10 +365,7 @@ void addSelectionActions(ActionRegistry &actions) {
                      c.selection = std::move(copies);
                  }
              },
-         .enabled =
-             [](const Shell &c) {
-                 return !c.selection.shapes.empty() || !c.selection.sources.empty() || !c.selection.markers.empty();
-             }});
+         .enabled = canCopy});
     actions.add({.id = "edit.selectAll",
                  .menu = "Edit",
                  .title = "Select all",
@@ -400,6 +405,7 @@ void addEditActions(ActionRegistry &actions) {
     addHistoryActions(actions);
     addSelectionActions(actions);
     addNamingActions(actions);
+    addRegionActions(actions);
     addShapeActions(actions);
     addUnitAction(actions);
     actions.add({.id = "edit.preferences",

@@ -4,10 +4,13 @@
 #include "ui/dialogs/shape_actions.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/parts/shown_panels.hpp"
+#include "ui/workspace/current_faces.hpp"
+#include "ui/workspace/mark_region.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -36,7 +39,17 @@ void nameOnCanvas(Shell &context, NamedThing thing) {
     context.animate();
 }
 
+/// Returns true if a face is selected that is no region, and nothing else.
+bool onlyUnmarkedFace(const Selection &selection) {
+    return selection.size() == 1 && selection.faces.size() == 1;
+}
+
 void rename(Shell &context) {
+    const bool unmarked = !rowToName(context) && onlyUnmarkedFace(context.selection);
+    if (unmarked &&
+        !markRegion(context, *context.selection.faces.begin(), tagOfNewRegion(*context.document.current()))) {
+        return;
+    }
     if (const std::optional<NamedThing> &row = rowToName(context)) {
         context.naming.openInPanel(*row);
         context.animate();
@@ -66,7 +79,10 @@ std::string sizeField(const Shell &context) {
                : only != nullptr && taggedSegments(*only) == 0 ? "inspector/nodesize"
                                                                : "inspector/segmentsize";
     }
-    return selection.size() != 1 ? "" : !selection.sources.empty() ? "inspector/size" : "inspector/regionsize";
+    if (!selection.markers.empty() && selection.markers.size() == selection.size()) {
+        return "inspector/regionsize";
+    }
+    return selection.size() == 1 && !selection.sources.empty() ? "inspector/size" : "";
 }
 
 void enterSize(Shell &context) {
@@ -79,6 +95,10 @@ void enterSize(Shell &context) {
 void zoomToSelection(Shell &context) {
     const Document &document = *context.document.current();
     Box2 box = boundsOf(document, context.selection);
+    const FacesMeant meant = facesMeant(context);
+    for (const std::uint32_t face : meant.faces) {
+        box.add(meant.map->faces()[face].box);
+    }
     const double least = 0.01 * boundsOf(document).diagonal();
     box = box.grown(std::max(0.15 * box.diagonal(), least > 0.0 ? least : 1.0));
     context.view.fit(box);
@@ -89,15 +109,17 @@ void zoomToSelection(Shell &context) {
 } // namespace
 
 void addNamingActions(ActionRegistry &actions) {
-    actions.add(
-        {.id = "edit.rename",
-         .menu = "Edit",
-         .title = "Rename\xe2\x80\xa6",
-         .shortcuts = {{key::kF1 + 1, kNoModifiers}},
-         .run = rename,
-         .enabled =
-             [](const Shell &c) { return rowToName(c) || namedThing(*c.document.current(), c.selection).has_value(); },
-         .separatorBefore = true});
+    actions.add({.id = "edit.rename",
+                 .menu = "Edit",
+                 .title = "Rename\xe2\x80\xa6",
+                 .shortcuts = {{key::kF1 + 1, kNoModifiers}},
+                 .run = rename,
+                 .enabled =
+                     [](const Shell &c) {
+                         return rowToName(c) || onlyUnmarkedFace(c.selection) ||
+                                namedThing(*c.document.current(), c.selection).has_value();
+                     },
+                 .separatorBefore = true});
     actions.add(
         {.id = "edit.setTag",
          .menu = "Edit",

@@ -31,6 +31,15 @@ namespace {
 
 using Kind = OperationField::Kind;
 
+/// Returns true unless faces alone are selected, of which only the markers would be mapped.
+bool canTransform(const Shell &context) {
+    return hasSelection(context) && !context.selection.onlyFaces();
+}
+
+bool canRepeat(const Shell &context) {
+    return canCopy(context) && !context.selection.onlyFaces();
+}
+
 /// Returns a step at which copies do not overlap the selection.
 Vec2 stepBeside(const Shell &context) {
     const Vec2 size = boundsOf(*context.document.current(), context.selection).size();
@@ -212,13 +221,13 @@ void addMap(ActionRegistry &actions, const char *id, const char *title, Shortcut
                          const Vec2 centre = boundsOf(document, c.selection).centre();
                          applyJoined(c, transformSelection(document, c.selection, map(centre)), title);
                      },
-                 .enabled = hasSelection});
+                 .enabled = canTransform});
 }
 
 void addTransforms(ActionRegistry &actions) {
     addOperation(
         actions, "shape.transform", "Transform\xe2\x80\xa6", {'M', kControlShift},
-        [](const Shell &) { return transformOperation(); }, hasSelection);
+        [](const Shell &) { return transformOperation(); }, canTransform);
     addMap(actions, "shape.mirrorX", "Mirror left-right", {'H', kShift},
            [](Vec2 centre) { return PlaneMap::reflection(90.0, centre); });
     addMap(actions, "shape.mirrorY", "Mirror top-bottom", {'V', kShift},
@@ -228,9 +237,9 @@ void addTransforms(ActionRegistry &actions) {
     addMap(actions, "shape.turnRight", "Rotate 90\xc2\xb0 right", {key::kRightBracket, kControl},
            [](Vec2 centre) { return PlaneMap::rotation(-90.0, centre); });
     addOperation(actions, "shape.linearArray", "Linear array\xe2\x80\xa6", {'L', kControlShift}, linearArrayOperation,
-                 canCopy, true);
+                 canRepeat, true);
     addOperation(actions, "shape.polarArray", "Polar array\xe2\x80\xa6", {'P', kControlShift}, polarArrayOperation,
-                 canCopy);
+                 canRepeat);
 }
 
 void addCorners(ActionRegistry &actions) {

@@ -1,4 +1,5 @@
 #include "core/drawing/document/document.hpp"
+#include "core/drawing/picking/selected_faces.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/gl/face_fill.hpp"
@@ -40,34 +41,21 @@ class RegionsLayer final : public Layer {
         if (!map) {
             return;
         }
-        std::set<std::uint32_t> outlined = selectedFaces(frame, *map);
+        const std::set<std::uint32_t> chosen = selectedFaces(*map, frame.document, frame.selection);
         const std::uint32_t pointed = frame.facePlace ? map->faceAt(*frame.facePlace) : kNoIndex;
-        if (pointed != kNoIndex) {
-            outlined.insert(pointed);
+        if (pointed != kNoIndex && !chosen.contains(pointed)) {
+            drawOutlines(painter, frame, *map, {pointed}, fade(frame.theme.selection, 0.6), 1.0);
         }
-        if (!outlined.empty()) {
-            drawOutlines(painter, frame, *map, outlined);
-        }
+        drawOutlines(painter, frame, *map, chosen, frame.theme.selection, 2.0);
     }
 
   private:
-    static std::set<std::uint32_t> selectedFaces(const LayerFrame &frame, const FaceMap &map) {
-        std::set<std::uint32_t> faces;
-        for (const std::uint32_t k : frame.selection.markers) {
-            if (k < frame.document.regionMarkers.size()) {
-                faces.insert(map.faceOf(frame.document.regionMarkers[k]));
-            }
-        }
-        faces.erase(kNoIndex);
-        return faces;
-    }
-
     static std::vector<FaceTint> tintsOf(const LayerFrame &frame, const FaceMap &map) {
         const bool values = std::any_of(frame.layers.begin(), frame.layers.end(), [](const LayerSlot &slot) {
             return slot.visible && slot.layer->coloursByValue();
         });
         const double strength = frame.theme.kind == ThemeKind::Dark ? 1.0 : 1.25; // light surfaces swallow tints
-        const std::set<std::uint32_t> chosen = selectedFaces(frame, map);
+        const std::set<std::uint32_t> chosen = selectedFaces(map, frame.document, frame.selection);
         const std::uint32_t pointed = frame.facePlace ? map.faceAt(*frame.facePlace) : kNoIndex;
         std::vector<FaceTint> tints(map.faces().size());
         for (std::uint32_t face = 0; face < tints.size(); ++face) {
@@ -79,31 +67,29 @@ class RegionsLayer final : public Layer {
                 tint.fill = strength * (values ? 0.0 : 0.14);
                 tint.rim = strength * (values ? 0.5 : 0.3);
             }
-            if (face == pointed || chosen.contains(face)) {
-                tint.fill += strength * (face == pointed ? 0.16 : 0.1);
-            }
+            tint.fill += strength * ((chosen.contains(face) ? 0.18 : 0.0) + (face == pointed ? 0.1 : 0.0));
         }
         return tints;
     }
 
     static void drawOutlines(CanvasPainter &painter, const LayerFrame &frame, const FaceMap &map,
-                             const std::set<std::uint32_t> &faces) {
+                             const std::set<std::uint32_t> &faces, Colour colour, double width) {
         const Box2 visible = frame.camera.visible();
         std::size_t drawn = 0;
-        for (const MappedEdge &edge : map.edges()) {
-            if (!faces.contains(edge.left) && !faces.contains(edge.right)) {
-                continue;
-            }
-            if (!boxOf(edge.a, edge.b).grown(edge.deviation).overlaps(visible)) {
-                continue;
-            }
-            if (edge.deviation > 0.0) {
-                painter.curve(map.curveOf(edge)->part(edge.stretch.t0, edge.stretch.t1), frame.theme.selection, 2.0);
-            } else {
-                painter.line(edge.a, edge.b, frame.theme.selection, 2.0);
-            }
-            if (++drawn >= kMaxOutlineEdges) {
-                return;
+        for (const std::uint32_t face : faces) {
+            for (const std::uint32_t e : map.edgesOf(face)) {
+                const MappedEdge &edge = map.edges()[e];
+                if (!boxOf(edge.a, edge.b).grown(edge.deviation).overlaps(visible)) {
+                    continue;
+                }
+                if (edge.deviation > 0.0) {
+                    painter.curve(map.curveOf(edge)->part(edge.stretch.t0, edge.stretch.t1), colour, width);
+                } else {
+                    painter.line(edge.a, edge.b, colour, width);
+                }
+                if (++drawn >= kMaxOutlineEdges) {
+                    return;
+                }
             }
         }
     }

@@ -13,6 +13,7 @@
 #include "ui/style/measure_colours.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/mark_region.hpp"
 #include "ui/workspace/typed_length.hpp"
 
 #include <imgui.h>
@@ -87,16 +88,15 @@ void inspectSource(Shell &context, std::uint32_t index) {
 
 namespace {
 
-/// Draws the area of the face of a region marker, with the colour of the region.
-void areaRow(Shell &context, const MarkedRegion &marker) {
+/// Draws the area of the face around a place, with the colour of its region.
+void areaRow(Shell &context, Vec2 place, ImU32 colour) {
     const std::shared_ptr<const FaceMap> &faces = context.preview->faces;
-    const std::uint32_t face = faces ? faces->faceOf(marker) : kNoIndex;
+    const std::uint32_t face = faces ? faces->faceAt(place) : kNoIndex;
     form::label(context, "Area");
     const float side = ImGui::GetTextLineHeight(),
                 top = ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y;
     const ImVec2 corner{ImGui::GetCursorScreenPos().x, top};
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + side, corner.y + side}, regionColour(marker.tag),
-                                              context.px(3));
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + side, corner.y + side}, colour, context.px(3));
     ImGui::Dummy({side, 0.0F});
     ui::mark(context, "inspector/swatch");
     ImGui::SameLine(0, context.px(8));
@@ -106,7 +106,15 @@ void areaRow(Shell &context, const MarkedRegion &marker) {
                          : ui::grouped(faces->faces()[face].area, 6) + areaSuffix(context.document.current()->unit);
     ImGui::TextUnformatted(area.c_str());
     ui::mark(context, "inspector/area");
-    ui::rowTooltip(context, "Area of the face around the marker, to its curves and without its holes");
+    ui::rowTooltip(context, "Area of the face, to its curves and without its holes");
+}
+
+/// Draws the command that selects the border of the face.
+void borderButton(Shell &context) {
+    if (ui::button(context, "inspector/border", "Select border")) {
+        context.actions.run("edit.selectBorder", context);
+    }
+    ui::tooltip(context, "Selects the lines around the face, to name, move or divide them");
 }
 
 } // namespace
@@ -115,7 +123,7 @@ void inspectRegion(Shell &context, std::uint32_t index) {
     const Document &document = *context.document.current();
     const MarkedRegion marker = document.regionMarkers[index];
     inspectorHeading(context, regionName(document.regionNames, marker.tag));
-    areaRow(context, marker);
+    areaRow(context, marker.at, regionColour(marker.tag));
     const auto address = [&](Quantity what) { return NumberAddress{NumberOwner::ofRegion(index), what}; };
     Vec2 at = marker.at;
     if (form::pair(context, "inspector/at", "Position", at, {address(Quantity::X), address(Quantity::Y)})) {
@@ -138,9 +146,23 @@ void inspectRegion(Shell &context, std::uint32_t index) {
     regionSizeRow(context, index);
     regionElementsRow(context, marker.tag);
     mappedRows(context, marker);
+    borderButton(context);
+    ImGui::SameLine(0, context.px(6));
     if (ui::button(context, "inspector/delete", "Delete")) {
         context.actions.run("edit.delete", context);
     }
+}
+
+void inspectFace(Shell &context, Vec2 place) {
+    inspectorHeading(context, "Face without a region");
+    areaRow(context, place, regionColour(1));
+    borderButton(context);
+    ImGui::SameLine(0, context.px(6));
+    if (ui::button(context, "inspector/mark", "Make it a region")) {
+        markRegion(context, place, tagOfNewRegion(*context.document.current()));
+        return;
+    }
+    ui::tooltip(context, "A region has a name, and can have an element size and elements of its own");
 }
 
 } // namespace forefront

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/engine/base/vec2.hpp"
+
 #include <cstdint>
 #include <string>
 
@@ -16,5 +18,8 @@ void inspectSource(Shell &context, std::uint32_t index);
 
 /// Draws the fields of a region, by its marker.
 void inspectRegion(Shell &context, std::uint32_t index);
+
+/// Draws what is known of a face without a region, by a place in it.
+void inspectFace(Shell &context, Vec2 place);
 
 } // namespace forefront

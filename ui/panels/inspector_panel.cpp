@@ -1,6 +1,7 @@
 #include "core/drawing/commands/path_commands.hpp"
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/names/name_commands.hpp"
+#include "core/drawing/picking/selected_faces.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
@@ -12,11 +13,13 @@
 #include "ui/panels/geometry_rows.hpp"
 #include "ui/panels/inspector_marks.hpp"
 #include "ui/panels/part_rows.hpp"
+#include "ui/panels/region_rows.hpp"
 #include "ui/panels/size_rows.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/current_faces.hpp"
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/number_field.hpp"
@@ -25,6 +28,8 @@
 #include <imgui.h>
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -334,7 +339,8 @@ void InspectorPanel::drawMany(Shell &context) const {
     part(selection.nodes.size(), "node", "nodes");
     part(selection.segments.size(), "segment", "segments");
     part(selection.sources.size(), "source", "sources");
-    part(selection.markers.size(), "region marker", "region markers");
+    part(selection.markers.size(), "region", "regions");
+    part(selection.faces.size(), "face", "faces");
     part(selection.constraints.size(), "sketch constraint", "sketch constraints");
     inspectorHeading(context, what);
     const Document &document = *context.document.current();
@@ -352,12 +358,25 @@ void InspectorPanel::drawMany(Shell &context) const {
         elementCountRow(context, selection.segments);
     } else if (!selection.nodes.empty()) {
         nodeSizeRow(context, selection.nodes);
+    } else if (selection.markers.size() == selection.size()) {
+        manyRegionsRows(context, selection.markers);
     }
-    const Box2 box = boundsOf(document, selection);
+    Box2 box = boundsOf(document, selection);
+    const std::shared_ptr<const FaceMap> map = selection.onlyFaces() ? readyFaces(context) : nullptr;
+    for (const std::uint32_t face : map ? selectedFaces(*map, document, selection) : std::set<std::uint32_t>()) {
+        box.add(map->faces()[face].box);
+    }
     if (!box.empty()) {
         ui::field(context, "Extent",
                   ui::grouped(box.size().x) + " \xc3\x97 " + ui::grouped(box.size().y) + unitSuffix(document.unit),
                   form::kLabel);
+    }
+    if (selection.onlyFaces()) {
+        if (ui::button(context, "inspector/border", "Select border")) {
+            context.actions.run("edit.selectBorder", context);
+            return;
+        }
+        ImGui::SameLine(0, context.px(6));
     }
     if (ui::button(context, "inspector/delete", "Delete all")) {
         context.actions.run("edit.delete", context);
@@ -385,6 +404,8 @@ void InspectorPanel::draw(Shell &context) {
         inspectSource(context, *selection.sources.begin());
     } else if (!selection.markers.empty()) {
         inspectRegion(context, *selection.markers.begin());
+    } else if (!selection.faces.empty()) {
+        inspectFace(context, *selection.faces.begin());
     } else {
         inspectorHeading(context, findConstraint(*held, *selection.constraints.begin())->name);
     }

@@ -38,7 +38,7 @@ std::vector<std::pair<std::int32_t, std::size_t>> boundaryPartsOf(const Shape &s
 namespace {
 
 const char *groupName(RowKind kind) {
-    return kind == RowKind::Shapes ? "Shapes" : kind == RowKind::Parts ? "Boundary parts" : "Region markers";
+    return kind == RowKind::Shapes ? "Shapes" : kind == RowKind::Parts ? "Boundary parts" : "Regions";
 }
 
 const char *groupId(RowKind kind) {

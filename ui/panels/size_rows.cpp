@@ -7,6 +7,7 @@
 #include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/panels/form.hpp"
+#include "ui/panels/shared_number.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -93,24 +94,6 @@ void regionSizeRow(Shell &context, std::uint32_t marker) {
 }
 
 namespace {
-
-/// A number that items share, unless they differ. An item may have none.
-struct SharedNumber {
-    std::optional<double> value; ///< of all items
-    bool given = false;          ///< an item has one
-    bool differs = false;
-
-    void add(const std::optional<double> &number) {
-        differs = differs || (any_ && number != value);
-        given = given || number.has_value();
-        value = differs ? std::nullopt : number;
-        any_ = true;
-    }
-    const char *hint() const { return differs ? "several" : "auto"; }
-
-  private:
-    bool any_ = false;
-};
 
 /// Returns the size and the growth that segments share. A number of elements counts as a size that is not shown.
 std::pair<SharedNumber, SharedNumber> sharedSize(const Document &document, const std::set<SegmentRef> &segments) {

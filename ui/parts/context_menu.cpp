@@ -15,7 +15,7 @@ ContextItem copyCommand(std::string id, std::string title, std::string text, std
 
 std::vector<ContextGroup> selectionMenu() {
     return {
-        actionsOf({"edit.rename", "edit.setTag", "edit.setSize", "view.zoomSelection"}),
+        actionsOf({"edit.rename", "edit.setTag", "edit.setSize", "edit.selectBorder", "view.zoomSelection"}),
         actionsOf({"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete"}),
         actionsOf(
             {"path.corner", "path.smooth", "path.symmetric", "path.line", "path.curve", "path.split", "path.join"}),

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -165,6 +166,9 @@ int keyOf(const Selection &selection) {
     }
     if (!selection.constraints.empty()) {
         add(*selection.constraints.begin());
+    }
+    if (!selection.faces.empty()) {
+        add(std::hash<double>()(selection.faces.begin()->x));
     }
     return static_cast<int>(key % 1'000'000'007U);
 }

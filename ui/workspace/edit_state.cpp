@@ -30,6 +30,7 @@ void SelectionFilter::apply(Selection &selection) const {
     }
     if (!markers) {
         selection.markers.clear();
+        selection.faces.clear();
     }
     if (!constraints) {
         selection.constraints.clear();

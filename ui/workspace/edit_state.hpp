@@ -88,6 +88,8 @@ struct EditState {
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
     const std::shared_ptr<const PickIndex> &index(const Workspace &context);
+    /// Returns the index that was asked for last; null: none yet.
+    const std::shared_ptr<const PickIndex> &lastIndex() const { return index_; }
     /// Returns the tag of the next shape drawn: the one that the user has chosen, else 1 for boundaries and 2 for
     /// constraints, or a free one where that part has a name, a size or a number of elements, or 2 is a hole's.
     std::int32_t tagOfNext(ShapeUse use, const Document &document) const;

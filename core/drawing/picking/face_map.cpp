@@ -4,11 +4,14 @@
 #include "core/engine/domain/domain_graph.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/geometry/path_curve.hpp"
+#include "core/engine/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -27,6 +30,30 @@ double slopeOf(const MappedEdge &edge) {
     return (edge.b.y - edge.a.y) / (edge.b.x - edge.a.x);
 }
 
+/// An edge with a face at its left.
+struct DirectedEdge {
+    Vec2 from, to;
+    bool used = false;
+};
+
+/// Returns the edge that goes on along the face; where loops touch, the one that turns right most, so that a hole stays
+/// apart from the outline that it touches. `edges` are in the order of their starts.
+DirectedEdge *followingEdge(std::vector<DirectedEdge> &edges, const DirectedEdge &edge) {
+    const auto before = [](const DirectedEdge &other, Vec2 p) { return comesBefore(other.from, p); };
+    DirectedEdge *best = nullptr;
+    double bestTurn = 0.0;
+    for (auto k = std::lower_bound(edges.begin(), edges.end(), edge.to, before); k != edges.end() && k->from == edge.to;
+         ++k) {
+        const Vec2 in = edge.to - edge.from, out = k->to - k->from;
+        const double turn = std::atan2(cross(in, out), dot(in, out));
+        if (best == nullptr || turn < bestTurn) {
+            best = &*k;
+            bestTurn = turn;
+        }
+    }
+    return best;
+}
+
 } // namespace
 
 FaceMap::FaceMap(std::shared_ptr<const Domain> domain, const DomainFaces &faces) : domain_(std::move(domain)) {
@@ -37,7 +64,12 @@ FaceMap::FaceMap(std::shared_ptr<const Domain> domain, const DomainFaces &faces)
             faces_.push_back({0.0, {}, faces.labels.tag[face], faces.labels.marker[face]});
         }
     }
+    for (const std::uint32_t point : faces.graph.regionMarker) {
+        const std::uint32_t face = point == kNoIndex ? kNoIndex : faces.faces.ofPoint[point];
+        ofMarker_.push_back(face == kNoIndex ? kNoIndex : numbers[face]);
+    }
     addEdges(faces, numbers);
+    listEdges();
     measure();
     std::vector<Box2> boxes;
     boxes.reserve(edges_.size());
@@ -59,8 +91,59 @@ void FaceMap::addEdges(const DomainFaces &found, std::span<const std::uint32_t> 
             edge.deviation = curve->deviation(std::min(edge.stretch.t0, edge.stretch.t1),
                                               std::max(edge.stretch.t0, edge.stretch.t1));
         }
+        edge.segment = found.graph.segment[e];
         edges_.push_back(edge);
     }
+}
+
+/// Lists the edges around each face.
+void FaceMap::listEdges() {
+    starts_.assign(faces_.size() + 1, 0);
+    for (const MappedEdge &edge : edges_) {
+        for (const std::uint32_t side : {edge.left, edge.right}) {
+            if (side != kNoIndex) {
+                ++starts_[side + 1];
+            }
+        }
+    }
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    around_.resize(starts_.back());
+    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+        for (const std::uint32_t side : {edges_[e].left, edges_[e].right}) {
+            if (side != kNoIndex) {
+                around_[next[side]++] = e;
+            }
+        }
+    }
+}
+
+std::span<const std::uint32_t> FaceMap::edgesOf(std::uint32_t face) const {
+    return std::span(around_).subspan(starts_[face], starts_[face + 1] - starts_[face]);
+}
+
+std::vector<Vec2> FaceMap::outlineOf(std::uint32_t face) const {
+    std::vector<DirectedEdge> edges;
+    for (const std::uint32_t e : edgesOf(face)) {
+        const MappedEdge &edge = edges_[e];
+        edges.push_back(edge.left == face ? DirectedEdge{edge.a, edge.b} : DirectedEdge{edge.b, edge.a});
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const DirectedEdge &p, const DirectedEdge &q) { return comesBefore(p.from, q.from); });
+    std::vector<Vec2> outer;
+    double area = 0.0; // holes run clockwise
+    for (DirectedEdge &first : edges) {
+        std::vector<Vec2> loop;
+        for (DirectedEdge *edge = &first; edge != nullptr && !edge->used; edge = followingEdge(edges, *edge)) {
+            edge->used = true;
+            loop.push_back(edge->from);
+        }
+        if (const double covered = loop.empty() ? 0.0 : signedArea(loop); covered > area) {
+            area = covered;
+            outer = std::move(loop);
+        }
+    }
+    return outer;
 }
 
 /// Computes the areas and boxes of the faces.
@@ -77,6 +160,12 @@ void FaceMap::measure() {
             }
         }
     }
+}
+
+std::uint32_t FaceMap::faceOf(const Document &document, std::uint32_t index) const {
+    const Vec2 at = document.regionMarkers[index].at;
+    const bool known = index < ofMarker_.size() && domain_->regionMarkers[index].at == at;
+    return known ? ofMarker_[index] : faceAt(at);
 }
 
 /// Follows a ray from p upwards to the first edge.

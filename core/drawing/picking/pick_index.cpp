@@ -254,6 +254,17 @@ std::optional<SegmentHit> PickIndex::segment(Vec2 p, double tolerance, const Fil
     return hit;
 }
 
+std::vector<SegmentRef> PickIndex::segmentsAt(Vec2 p, double tolerance) const {
+    std::vector<SegmentRef> found;
+    lineTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
+        const Shape &shape = *document_->shapes[lines_[item].shape];
+        if (!shape.is<PointForm>() && lineDistance(lines_[item], p) <= tolerance) {
+            found.push_back({shape.id, lines_[item].part});
+        }
+    });
+    return found;
+}
+
 std::uint32_t PickIndex::shape(Vec2 p, double tolerance) const {
     std::uint32_t best = kNoIndex;
     double limit = tolerance;

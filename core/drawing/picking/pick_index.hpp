@@ -72,6 +72,8 @@ class PickIndex {
     /// Returns the curves of the segments, circles and ellipses within the tolerance, straight ones as lines; the
     /// nearest `most` of them, nearest first.
     std::vector<Curve> curvesNear(Vec2 p, double tolerance, std::size_t most, const Filter &filter = {}) const;
+    /// Returns all segments and circles within the tolerance of p, hidden ones excepted, without order.
+    std::vector<SegmentRef> segmentsAt(Vec2 p, double tolerance) const;
     /// Returns the nearest centre of an arc or a rectangle within the tolerance.
     std::optional<Vec2> centre(Vec2 p, double tolerance, const Filter &filter = {}) const;
     /// Returns the shape under p: one whose line or point is within the tolerance, else the smallest closed shape that

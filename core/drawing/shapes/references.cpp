@@ -170,6 +170,9 @@ Box2 boundsOf(const Document &document, const Selection &selection) {
             box.add(document.regionMarkers[k].at);
         }
     }
+    for (const Vec2 place : selection.faces) {
+        box.add(place);
+    }
     return box;
 }
 

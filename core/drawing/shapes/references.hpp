@@ -27,8 +27,14 @@ struct SegmentRef {
     friend auto operator<=>(const SegmentRef &, const SegmentRef &) = default;
 };
 
+/// The order of places in a set.
+struct PlaceOrder {
+    bool operator()(Vec2 p, Vec2 q) const { return comesBefore(p, q); }
+};
+
 /// The selected items. Shapes are referred to by id, so a selection survives edits; prune() drops items that can no
-/// longer be selected.
+/// longer be selected. A region is selected by its marker, a face without a marker by a place in it: see
+/// selectedFaces().
 struct Selection {
     std::set<std::uint32_t> shapes{};
     std::set<NodeRef> nodes{};
@@ -39,10 +45,11 @@ struct Selection {
     /// The segments at which shapes in `shapes` were clicked: of several selected shapes, those that a dimension or a
     /// constraint is meant for.
     std::map<std::uint32_t, std::uint32_t> sides{};
+    std::set<Vec2, PlaceOrder> faces{}; ///< places in faces without a region marker
 
     bool empty() const {
         return shapes.empty() && nodes.empty() && segments.empty() && sources.empty() && markers.empty() &&
-               constraints.empty();
+               constraints.empty() && faces.empty();
     }
     void clear() { *this = {}; }
     /// Removes items that do not exist, and hidden and locked shapes with their nodes and segments.
@@ -53,8 +60,11 @@ struct Selection {
     void drop(const std::set<std::uint32_t> &gone);
     /// Returns the number of selected items.
     std::size_t size() const {
-        return shapes.size() + nodes.size() + segments.size() + sources.size() + markers.size() + constraints.size();
+        return shapes.size() + nodes.size() + segments.size() + sources.size() + markers.size() + constraints.size() +
+               faces.size();
     }
+    /// Returns true if regions and other faces are selected, and nothing else.
+    bool onlyFaces() const { return !empty() && size() == markers.size() + faces.size(); }
 
     friend bool operator==(const Selection &, const Selection &) = default;
 };

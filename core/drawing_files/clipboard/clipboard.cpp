@@ -137,11 +137,14 @@ std::string projectIn(std::string_view svg) {
 } // namespace
 
 std::string clipboardText(const Document &document, const Selection &selection) {
-    const Document part = selectedPart(document, selection);
-    if (part.shapes.empty() && part.spacing.sources.empty() && part.regionMarkers.empty()) {
+    return clipboardText(selectedPart(document, selection));
+}
+
+std::string clipboardText(const Document &drawing) {
+    if (drawing.shapes.empty() && drawing.spacing.sources.empty() && drawing.regionMarkers.empty()) {
         return {};
     }
-    const Box2 bounds = boundsOf(part), box = bounds.empty() ? Box2{{0, 0}, {1, 1}} : bounds;
+    const Box2 bounds = boundsOf(drawing), box = bounds.empty() ? Box2{{0, 0}, {1, 1}} : bounds;
     SvgText svg;
     svg.text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
     svg.point({box.min.x, box.max.y});
@@ -150,8 +153,8 @@ std::string clipboardText(const Document &document, const Selection &selection) 
     svg.text += ' ';
     svg.number(box.size().y);
     svg.text += "\">\n";
-    svg.text += std::string(kBegin) + toBase64(projectText(part)) + std::string(kEnd) + "\n<g stroke=\"black\">\n";
-    for (const auto &shape : part.shapes) {
+    svg.text += std::string(kBegin) + toBase64(projectText(drawing)) + std::string(kEnd) + "\n<g stroke=\"black\">\n";
+    for (const auto &shape : drawing.shapes) {
         if (!shape->is<PointForm>()) {
             svg.outline(outlineOf(*shape));
         }

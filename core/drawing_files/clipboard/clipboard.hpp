@@ -13,6 +13,8 @@ namespace forefront {
 /// metadata holds them exactly, with their formulas and parameters, for readClipboard(); other programs see paths of
 /// lines and cubics. Empty if nothing that can be copied is selected.
 std::string clipboardText(const Document &document, const Selection &selection);
+/// Returns the text for a whole drawing.
+std::string clipboardText(const Document &drawing);
 
 /// Reads a drawing from the text of the clipboard: an SVG drawing, a project, or lines of coordinates. Each line of
 /// coordinates is a point: its first two numbers, with any separators between them. Numbers separated by tabs or

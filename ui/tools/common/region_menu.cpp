@@ -1,9 +1,10 @@
 #include "ui/tools/common/region_menu.hpp"
 
-#include "core/drawing/commands/region_fill.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/workspace/current_faces.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/mark_region.hpp"
 
 #include <string>
 #include <utility>
@@ -42,13 +43,6 @@ ContextGroup markerMenu(const Shell &context, std::uint32_t marker) {
 
 } // namespace
 
-std::shared_ptr<const FaceMap> currentFaces(const Shell &context) {
-    if (context.preview->faces && context.preview->revision == context.document.revision()) {
-        return context.preview->faces;
-    }
-    return faceMapOf(context.document.domain());
-}
-
 ContextGroup regionMenu(const Shell &context, Vec2 place, bool makes, std::int32_t next) {
     const std::shared_ptr<const FaceMap> faces = currentFaces(context);
     const std::uint32_t face = faces->faceAt(place);
@@ -63,11 +57,8 @@ ContextGroup regionMenu(const Shell &context, Vec2 place, bool makes, std::int32
         return {};
     }
     const std::string name = regionName(context.document.current()->regionNames, next);
-    return {commandOf("region/make", "Make this face region " + name, [place, next, name](Shell &c) {
-        if (c.applyCommand(fillRegion(*c.document.current(), place, next), "Fill " + name)) {
-            selectMarker(c, static_cast<std::uint32_t>(c.document.current()->regionMarkers.size() - 1));
-        }
-    })};
+    return {commandOf("region/make", "Make this face region " + name,
+                      [place, next](Shell &c) { markRegion(c, place, next); })};
 }
 
 } // namespace forefront

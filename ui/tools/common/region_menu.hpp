@@ -1,16 +1,11 @@
 #pragma once
 
-#include "core/drawing/picking/face_map.hpp"
 #include "core/engine/base/vec2.hpp"
 #include "ui/parts/context_menu.hpp"
 
 #include <cstdint>
-#include <memory>
 
 namespace forefront {
-
-/// Returns the faces of the document: the preview's, unless it is out of date.
-std::shared_ptr<const FaceMap> currentFaces(const Shell &context);
 
 /// Returns the commands on the region of the face at a place, below a heading with its name. Without a region there is
 /// only the one that makes the face a region with the tag `next`, if `makes`. Empty outside all faces.

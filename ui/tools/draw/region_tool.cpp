@@ -8,6 +8,8 @@
 #include "ui/tools/common/region_menu.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/current_faces.hpp"
+#include "ui/workspace/mark_region.hpp"
 #include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
@@ -39,7 +41,7 @@ void RegionTool::pointed(Shell &context) {
 }
 
 std::int32_t RegionTool::tagOfNext(const Shell &context) const {
-    return tag_.value_or(std::max(2, freeRegionTag(*context.document.current()))); // 1: faces without a region
+    return tag_ ? *tag_ : tagOfNewRegion(*context.document.current());
 }
 
 std::optional<std::uint32_t> RegionTool::selectable(const MappedFace &face) const {

@@ -23,6 +23,7 @@ namespace forefront {
 
 void SelectTool::drag(const CanvasEvent &event, Shell &context) {
     over_ = true;
+    pointAtFace(context);
     if (mode_ == Mode::Boxing) {
         boxPlace_ = event.place;
         if (!lasso_.empty()) {
@@ -56,8 +57,14 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
             return;
         }
         mode_ = Mode::Moving;
+        pointAtFace(context);
         stroke_ = state_->newStroke();
         entry_.clear();
+        moving_ = context.selection;
+        if (grabbed_.kind == Hit::Kind::Face && !beginFaceMove(context)) {
+            mode_ = Mode::Idle;
+            return;
+        }
         beginMove(context);
     }
     if (mode_ == Mode::Labelling) {
@@ -75,9 +82,8 @@ void SelectTool::placeLabel(const CanvasEvent &event, Shell &context) {
                          "Place " + constraint->name, stroke_);
 }
 
-/// Takes the selection to move and finds out once what it can snap to, so that every step is cheap.
+/// Finds out once what the parts to move can snap to, so that every step is cheap.
 void SelectTool::beginMove(Shell &context) {
-    moving_ = context.selection;
     const bool byNode = grabbed_.kind == Hit::Kind::Node;
     startJoints_ = joints(context);
     startConstraints_.reset();
@@ -126,7 +132,7 @@ Snapped snapByNode(const PickIndex &index, SnapQuery query, Vec2 from, Vec2 node
 } // namespace
 
 void SelectTool::updateMove(Shell &context) {
-    alone_ = last_.modifiers.alt();
+    alone_ = last_.modifiers.alt() && !faceMove_; // its lines are those of its neighbours, too
     SnapQuery query = state_->query(context, grabbed_.at + (last_.place - pressPlace_),
                                     last_.modifiers.shift() && !adds_, last_.modifiers.control());
     query.guides = query.guides && showsLayer(context.layers, "guides");
@@ -162,13 +168,16 @@ void SelectTool::updateMove(Shell &context) {
         showWhereHeld(wanted, *next);
     }
     if (next) {
-        context.applyCommand(std::move(next), moveLabel(), stroke_);
+        next = faceMove_ ? Result<Document>(faceMove_->keepMarkers(*next)) : next;
+        if (context.applyCommand(*std::move(next), moveLabel(), stroke_)) {
+            followFaces(context, snapped_.at - grabbed_.at);
+        }
         return;
     }
     const Diagnostic &fault = next.faults().front();
     fault_ = fault.advice.empty() ? fault.message : fault.message + "; " + fault.advice;
     if (context.document.current() != start_) {
-        context.document.abandonStroke(stroke_); // the result depends on where the pointer is, not on its way
+        abandonMove(context); // the result depends on where the pointer is, not on its way
     }
 }
 
@@ -285,6 +294,8 @@ std::string SelectTool::moveLabel() const {
     }
     case Hit::Kind::Marker:
         return "Move region marker";
+    case Hit::Kind::Face:
+        return "Move region";
     default:
         return moving_.shapes.empty() ? "Move segment" : moving_.shapes.size() > 1 ? "Move shapes" : "Move shape";
     }

@@ -1,4 +1,5 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
+#include "core/drawing/picking/selected_faces.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/common/source_parts.hpp"
@@ -51,7 +52,7 @@ std::optional<SelectTool::Hit> SelectTool::constraintAt(Vec2 place, Shell &conte
     return std::nullopt;
 }
 
-SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
+SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context, bool waits) const {
     const PickIndex &index = *state_->index(context);
     const SelectionFilter &picks = state_->picks;
     const auto isFree = [&picks](const Shape &shape) { return !shape.locked && picks.shapes; };
@@ -91,9 +92,8 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
     } else if (const auto guide = guideAt(context, place, EditState::reach(context, 4.0))) {
         hit.kind = Hit::Kind::Guide;
         hit.guide = *guide;
-    } else if (const std::uint32_t shape = index.shape(place, 0.0); shape != kNoIndex && picks.shapes) {
-        hit.kind = Hit::Kind::Inside;
-        hit.shape = shape;
+    } else {
+        hitInside(hit, context, waits);
     }
     return hit;
 }
@@ -106,12 +106,6 @@ std::optional<std::uint32_t> SelectTool::markerAt(Vec2 place, Shell &context) co
     const bool region = label && label->kind == NamedThing::Kind::Region &&
                         label->marker < context.document.current()->regionMarkers.size();
     return region ? std::optional(label->marker) : std::nullopt;
-}
-
-void SelectTool::pointAtFace(Shell &context) const {
-    const std::vector<MarkedRegion> &markers = context.document.current()->regionMarkers;
-    const bool points = over_ && hover_.kind == Hit::Kind::Marker && hover_.marker < markers.size();
-    context.view.facePlace = points ? std::optional(markers[hover_.marker].at) : std::nullopt;
 }
 
 bool SelectTool::isSelected(const Hit &hit, const Selection &selection) const {
@@ -131,6 +125,8 @@ bool SelectTool::isSelected(const Hit &hit, const Selection &selection) const {
         return selection.shapes.contains(hit.shape) || selection.segments.contains(hit.segment->ref);
     case Hit::Kind::Inside:
         return selection.shapes.contains(hit.shape);
+    case Hit::Kind::Face:
+        return isFaceSelected(*hit.faces, *start_, selection, hit.face);
     case Hit::Kind::Guide:
     case Hit::Kind::Nothing:
         break;

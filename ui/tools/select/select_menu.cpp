@@ -6,6 +6,7 @@
 #include "ui/tools/common/region_menu.hpp"
 #include "ui/tools/select/select_tool.hpp"
 #include "ui/workspace/joined_command.hpp"
+#include "ui/workspace/mark_region.hpp"
 
 #include <cstddef>
 #include <map>
@@ -76,8 +77,8 @@ ContextGroup partSizes(const Document &document, const Shape &shape) {
 /// Selects the item under the pointer, unless it already is selected, and requests the menu of the selection.
 void SelectTool::openMenu(const CanvasEvent &event, Shell &context) {
     start_ = context.document.current();
-    const Hit hit = hitAt(event.place, context);
-    const bool free = hit.kind == Hit::Kind::Nothing || hit.kind == Hit::Kind::Inside;
+    const Hit hit = hitAt(event.place, context, true);
+    const bool free = hit.isFree();
     if (const std::optional<NamedThing> label = labelAt(context, event.pixel); label && free) {
         context.selection = selectionOf(*start_, *label);
     } else if (!isSelected(hit, context.selection)) {
@@ -94,7 +95,8 @@ void SelectTool::openMenu(const CanvasEvent &event, Shell &context) {
         }
     }
     if (free && selection.markers.empty()) {
-        groups.insert(groups.begin() + (selection.empty() ? 0 : 1), regionMenu(context, event.place, false, 0));
+        groups.insert(groups.begin() + (selection.empty() ? 0 : 1),
+                      regionMenu(context, event.place, hit.kind == Hit::Kind::Face, tagOfNewRegion(*start_)));
     }
     start_.reset();
     context.menu.open(std::move(groups));

@@ -1,4 +1,5 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
+#include "core/drawing/picking/selected_faces.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/domain/element_places.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
@@ -264,7 +265,7 @@ void SelectTool::drawFilter(Shell &context) {
     bool changed = ui::checkbox(context, "picks/shapes", "Shapes and segments", picks.shapes);
     changed = ui::checkbox(context, "picks/nodes", "Nodes", picks.nodes) || changed;
     changed = ui::checkbox(context, "picks/sources", "Sources", picks.sources) || changed;
-    changed = ui::checkbox(context, "picks/markers", "Region markers", picks.markers) || changed;
+    changed = ui::checkbox(context, "picks/markers", "Regions", picks.markers) || changed;
     changed = ui::checkbox(context, "picks/constraints", "Sketch constraints", picks.constraints) || changed;
     if (changed) {
         picks.apply(context.selection);
@@ -314,6 +315,16 @@ std::string SelectTool::statusText(const Shell &context) const {
     if (over_ && hover_.kind == Hit::Kind::Node) {
         return "Drag to move the node and those joined with it; on the side of another shape it slides along. "
                "Alt-drag to detach it, Delete to remove it";
+    }
+    if (over_ && hover_.kind == Hit::Kind::Face) {
+        const Document &document = *context.document.current();
+        const bool selected = isFaceSelected(*hover_.faces, document, context.selection, hover_.face);
+        const std::string what =
+            hover_.hasRegion()
+                ? "region '" + regionName(document.regionNames, hover_.faces->faces()[hover_.face].tag) + '\''
+                : "this face";
+        return selected ? "Drag to move " + what + " with its border, F2 to name it. Shift-click: remove from selection"
+                        : "Click to select " + what + ", Shift-click: add; drag a box (Alt: lasso) to select";
     }
     return "Click or drag a box (Alt: lasso) to select, drag to move, double-click a segment to insert a node";
 }

@@ -5,6 +5,7 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/workspace/current_faces.hpp"
 #include "ui/workspace/joined_command.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ CursorShape SelectTool::cursor() const {
     if (mode_ == Mode::Moving) {
         return CursorShape::Move;
     }
-    const bool grabs = over_ && hover_.kind != Hit::Kind::Nothing && hover_.kind != Hit::Kind::Inside;
+    const bool grabs = over_ && !hover_.isFree();
     return grabs && mode_ != Mode::Boxing ? CursorShape::Hand : CursorShape::Arrow;
 }
 
@@ -35,6 +36,7 @@ void SelectTool::endDrag() {
     startConstraints_.reset();
     aloneConstraints_.reset();
     heldBy_.reset();
+    faceMove_.reset();
 }
 
 void SelectTool::deactivate(Shell &context) {
@@ -72,6 +74,12 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
     const bool segment = hit.kind == Hit::Kind::Segment && !selection.segments.empty() && selection.shapes.empty() &&
                          std::all_of(selection.segments.begin(), selection.segments.end(),
                                      [&](const SegmentRef &chosen) { return adds || chosen.shape == hit.shape; });
+    // Beside selected regions, another region is meant.
+    if (hit.kind == Hit::Kind::Face ||
+        (hit.kind == Hit::Kind::Inside && adds && selection.onlyFaces() && hit.hasRegion())) {
+        selectFaceOf(hit, adds, selection);
+        return;
+    }
     if (!adds) {
         selection.clear();
     }
@@ -112,6 +120,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
     case Hit::Kind::Control:
     case Hit::Kind::Transform:
     case Hit::Kind::Guide:
+    case Hit::Kind::Face:
     case Hit::Kind::Nothing:
         break;
     }
@@ -156,7 +165,9 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     over_ = true;
     start_ = context.document.current();
     startIndex_ = state_->index(context);
-    grabbed_ = hover_ = hitAt(event.place, context);
+    grabbed_ = hitAt(event.place, context, true);
+    takeSelectedFace(grabbed_, event.place, context);
+    hover_ = grabbed_;
     pressPixel_ = event.pixel;
     pressPlace_ = boxPlace_ = event.place;
     adds_ = event.modifiers.shift();
@@ -187,7 +198,8 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     }
     wasSelected_ = isSelected(grabbed_, context.selection);
     adds_ = adds_ && grabbed_.kind != Hit::Kind::Control;
-    if (grabbed_.kind == Hit::Kind::Nothing || grabbed_.kind == Hit::Kind::Inside) {
+    const bool moves = grabbed_.kind == Hit::Kind::Face && wasSelected_ && !adds_ && !event.modifiers.alt();
+    if (grabbed_.isFree() && !moves) {
         mode_ = Mode::Boxing;
         lasso_.clear();
         if (event.modifiers.alt()) {
@@ -222,8 +234,8 @@ bool SelectTool::pressLabel(const CanvasEvent &event, Shell &context) {
         thing = pressedLabel_; // the label has made way for what the first click selected
     }
     pressedLabel_ = thing;
-    const bool free = grabbed_.kind == Hit::Kind::Nothing || grabbed_.kind == Hit::Kind::Inside;
-    if (!thing || (!free && event.clicks < 2) || adds_) {
+    const bool ofFace = grabbed_.kind == Hit::Kind::Face && thing && thing->kind == NamedThing::Kind::Region;
+    if (!thing || ((!grabbed_.isFree() || ofFace) && event.clicks < 2) || adds_) {
         return false;
     }
     context.selection = selectionOf(*start_, *thing);
@@ -291,7 +303,14 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
         joinMoved(context);
         addRelations(context);
     } else if (mode_ == Mode::Boxing) {
+        // A second click selects the face rather than the shape around it.
+        const bool closer = !adds_ && event.clicks < 2 && clicked_ == grabbed_.shape &&
+                            context.selection.shapes.contains(grabbed_.shape) && context.selection.size() == 1 &&
+                            hasFaceWithin(grabbed_);
         select(grabbed_, adds_, context.selection);
+        if (closer) {
+            selectFaceOf(grabbed_, false, context.selection);
+        }
     } else if (mode_ == Mode::Grabbed && single_ && (adds_ || !wasSelected_)) {
         context.selection = selectedBefore_; // the press has selected the group
         select(grabbed_, adds_, context.selection);
@@ -318,6 +337,7 @@ bool SelectTool::key(const CanvasEvent &event, Shell &context) {
         } else if (event.key == key::kEscape) {
             const bool strokes = mode_ == Mode::Moving || mode_ == Mode::Labelling;
             context.document.abandonStroke(strokes ? stroke_ : std::string());
+            followFaces(context, {});
             mode_ = Mode::Idle;
         }
         return true; // no command removes what is being dragged
@@ -361,6 +381,17 @@ void SelectTool::nudge(Vec2 direction, bool far, bool repeated, Shell &context) 
     }
     // A tenth of the drawing grid; with Shift a whole step.
     const double step = EditState::gridStep(context) * (far ? 1.0 : 0.1);
+    if (const FacesMeant meant = facesMeant(context); meant.map) {
+        const std::set<Vec2, PlaceOrder> places = context.selection.faces;
+        if (context.applyCommand(moveFaces(*state_->index(context), *meant.map, meant.faces, step * direction), "Nudge",
+                                 nudgeStroke_)) {
+            context.selection.faces.clear();
+            for (const Vec2 place : places) {
+                context.selection.faces.insert(place + step * direction);
+            }
+        }
+        return;
+    }
     applyJoined(context, moveSelection(*context.document.current(), context.selection, step * direction), "Nudge",
                 nudgeStroke_);
 }

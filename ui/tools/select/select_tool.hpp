@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/commands/carry_joints.hpp"
+#include "core/drawing/commands/move_faces.hpp"
 #include "core/drawing/commands/path_commands.hpp"
 #include "core/drawing/constraints/constraint_drag.hpp"
 #include "ui/parts/guide_drag.hpp"
@@ -13,14 +14,17 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace forefront {
 
-/// Selects by click (groups as one, single shapes of them with Ctrl), box and, with Alt, lasso; drags nodes, control
-/// points, segments, shapes, sources and markers; inserts a node by a double-click on a segment, renames by one on a
-/// label; scales and rotates the selection with its handles.
+/// Selects by click (groups as one, single shapes of them with Ctrl), box and, with Alt, lasso. A click inside of a
+/// region selects it, unless a closed shape is all of it: then it selects the shape, and a second click the region; a
+/// second click also selects a part of a shape that is no region. Drags nodes, control points, segments, shapes,
+/// sources, markers and selected faces; inserts a node by a double-click on a segment, renames by one on a label;
+/// scales and rotates the selection with its handles.
 class SelectTool final : public Tool {
   public:
     explicit SelectTool(std::shared_ptr<EditState> state) : state_(state), transform_(std::move(state)) {}
@@ -53,7 +57,8 @@ class SelectTool final : public Tool {
             Transform,
             Segment,
             Guide,
-            Inside
+            Inside, ///< of a closed shape
+            Face    ///< that no single shape bounds
         } kind = Kind::Nothing;
         TransformHandles::Handle transform;
         ControlRef control;
@@ -64,9 +69,34 @@ class SelectTool final : public Tool {
         std::size_t guide = 0;        ///< index into Document::guides
         std::uint32_t constraint = 0; ///< SketchConstraint::id
         std::uint32_t shape = kNoIndex;
+        std::shared_ptr<const FaceMap> faces; ///< of the document, for Inside and Face; null: not known yet
+        std::uint32_t face = kNoIndex;        ///< around the place
         Vec2 at;
+
+        /// Returns true if neither lines nor handles are under the pointer, so that a drag draws a box.
+        bool isFree() const { return kind == Kind::Nothing || kind == Kind::Inside || kind == Kind::Face; }
+        /// Returns true if a face is there that is a region.
+        bool hasRegion() const { return face != kNoIndex && faces->faces()[face].marker != kNoIndex; }
     };
-    Hit hitAt(Vec2 place, Shell &context) const;
+    /// `waits`: finds the faces of a document that has just changed at once.
+    Hit hitAt(Vec2 place, Shell &context, bool waits = false) const;
+    /// Sets the closed shape or the face around the place of a hit.
+    void hitInside(Hit &hit, Shell &context, bool waits) const;
+    /// Replaces a hit in a selected face, near its marker or on its label by one of the face, which a drag moves; a
+    /// drag of the dot itself moves the marker.
+    void takeSelectedFace(Hit &hit, Vec2 place, Shell &context) const;
+    /// Returns true if the face of a hit is all that a closed shape encloses, apart from holes.
+    bool fills(const Hit &hit, std::uint32_t shape) const;
+    /// Returns true if a second click inside of a shape selects the face there: a region, or a part of the shape.
+    bool hasFaceWithin(const Hit &hit) const;
+    /// Selects the face of a hit; with `adds`, adds or removes it.
+    void selectFaceOf(const Hit &hit, bool adds, Selection &selection) const;
+    /// Prepares the move of the selected faces. Returns false, and says why, if they cannot be moved.
+    bool beginFaceMove(Shell &context);
+    /// Puts the places of the selected faces where these have moved.
+    void followFaces(Shell &context, Vec2 by) const;
+    /// Undoes the steps of a drag.
+    void abandonMove(Shell &context);
     /// Returns the region marker under the pointer, or whose label is there.
     std::optional<std::uint32_t> markerAt(Vec2 place, Shell &context) const;
     /// Returns the constraint whose glyph or value is under the pointer.
@@ -75,7 +105,7 @@ class SelectTool final : public Tool {
     bool editDimension(const CanvasEvent &event, Shell &context);
     /// Moves the text of the dimension that is dragged.
     void placeLabel(const CanvasEvent &event, Shell &context);
-    /// Highlights the face of the region marker under the pointer.
+    /// Highlights the face under the pointer, or that of the region marker there.
     void pointAtFace(Shell &context) const;
     /// Returns the node near a place. Nodes of shapes that are not selected are not drawn, so they are found only right
     /// at the place.
@@ -150,9 +180,11 @@ class SelectTool final : public Tool {
     /// Constraints of start_, made when first needed while Moving: with joints, and without those of what is dragged.
     std::optional<ConstraintDrag> startConstraints_, aloneConstraints_;
     Selection moving_;
-    PickIndex::Filter targets_;      ///< of moving_ and what is joined with it
-    PickIndex::Filter aloneTargets_; ///< of moving_ alone
-    std::vector<Vec2> linesTo_;      ///< see linesToNode()
+    std::optional<FaceMove> faceMove_;      ///< while faces are dragged
+    std::set<Vec2, PlaceOrder> startFaces_; ///< Selection::faces when the drag began
+    PickIndex::Filter targets_;             ///< of moving_ and what is joined with it
+    PickIndex::Filter aloneTargets_;        ///< of moving_ alone
+    std::vector<Vec2> linesTo_;             ///< see linesToNode()
     std::string stroke_, nudgeStroke_;
     std::optional<std::string> heldBy_;                        ///< what holds the dragged node, once it was asked for
     std::string fault_;                                        ///< why what is dragged cannot go where the pointer is

@@ -46,6 +46,9 @@ std::string percent(double factor) {
 
 /// Returns true if a selection is more than one point.
 bool canTransform(const Selection &selection) {
+    if (selection.onlyFaces()) {
+        return false; // their markers alone would move
+    }
     return !selection.shapes.empty() || !selection.segments.empty() ||
            selection.nodes.size() + selection.sources.size() + selection.markers.size() > 1;
 }
