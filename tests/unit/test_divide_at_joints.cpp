@@ -118,6 +118,23 @@ TEST_CASE("Divide at joints: the parts of a side with a number of elements share
     CHECK_FALSE(meshDomain(jobOf(document)).ok());
 }
 
+TEST_CASE("Divide at joints: the parts of a side keep their numbers of elements where chords before it are halved") {
+    for (const double gap : {1e-2, 1e-4}) { // at the smaller one, the chords of the two circles are halved
+        CAPTURE(gap);
+        Document document = documentOf(
+            {makeShape(ShapeKind::Circle, {{5, 5}, {6, 5}}),
+             makeShape(ShapeKind::Circle, {{5, 5}, Vec2{5, 5} + (1.0 - gap) * Vec2{std::cos(0.03), std::sin(0.03)}}),
+             outlineWithTags({{-10, 0}, {-6, 0}, {-6, 2}, {-10, 2}}, {7, 1, 1, 1}),
+             makeShape(ShapeKind::Polyline, {{-9, 0}, {-9, 1}}, ShapeUse::Constraint)});
+        document.spacing.size = 1.0;
+        document.elementCounts[7] = {.count = 20};
+        const PlacedSizes placed = jobOf(document).spacing.placed;
+        CHECK(std::count(placed.elements.begin(), placed.elements.end(), 5U) == 1);
+        CHECK(std::count(placed.elements.begin(), placed.elements.end(), 15U) == 1);
+        CHECK(std::count(placed.elements.begin(), placed.elements.end(), 20U) == 0);
+    }
+}
+
 TEST_CASE("Divide at joints: what a constraint holds on a side is meshed after each drag") {
     Document document = documentOf({makeShape(ShapeKind::Polygon, {{0, 0}, {10, 1}, {9.7, 11}, {0, 10}}),
                                     makeShape(ShapeKind::Polyline, {{3, 3}, {9.9, 4.3}}, ShapeUse::Constraint)});

@@ -50,44 +50,26 @@ class DocumentDomain {
     }
 
     /// Returns the numbers of elements along the segments that were built, see PlacedSizes::elements.
-    std::vector<std::uint32_t> elements() const {
-        std::vector<std::uint32_t> list;
-        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
-            if (const std::uint32_t count = elementsOf(static_cast<std::uint32_t>(s)); count > 0) {
-                list.resize(sources_->segments.size());
-                list[s] = count;
-            }
-        }
-        return list;
-    }
-
+    std::vector<std::uint32_t> elements() const { return listOf<std::uint32_t>(&SegmentSource::elements, 0); }
     /// Returns the biases of the elements along the segments that were built, see PlacedSizes::biases.
-    std::vector<ElementBias> biases() const {
-        std::vector<ElementBias> list;
-        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
-            if (const ElementBias bias = biasOf(static_cast<std::uint32_t>(s)); bias.any()) {
-                list.resize(sources_->segments.size());
-                list[s] = bias;
-            }
-        }
-        return list;
-    }
-
+    std::vector<ElementBias> biases() const { return listOf<ElementBias>(&SegmentSource::bias, {}); }
     /// Returns the sizes along the segments that were built, see PlacedSizes::segments.
-    std::vector<PartSize> sizes() const {
-        std::vector<PartSize> list;
-        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
-            const auto [shape, segment] = sources_->segments[s];
-            const auto found = sizes_.find(shape);
-            if (found != sizes_.end() && found->second[segment].size > 0.0) {
-                list.resize(sources_->segments.size(), PartSize{0.0, 0.0});
-                list[s] = found->second[segment];
-            }
-        }
-        return list;
-    }
+    std::vector<PartSize> sizes() const { return listOf<PartSize>(&SegmentSource::size, SegmentSource{}.size); }
 
   private:
+    /// Returns one property of each segment; an empty list if no segment has it.
+    template <class Value>
+    std::vector<Value> listOf(Value SegmentSource::*property, const Value &none) const {
+        std::vector<Value> list;
+        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
+            if (const Value &value = sources_->segments[s].*property; !(value == none)) {
+                list.resize(sources_->segments.size(), none);
+                list[s] = value;
+            }
+        }
+        return list;
+    }
+
     std::uint32_t addNode(Vec2 at, const ShapeNode &source) {
         const std::uint32_t id = merger_.add(at);
         if (sources_ != nullptr && sources_->nodes.size() < domain_.nodes.size()) {
@@ -109,32 +91,32 @@ class DocumentDomain {
         }
     }
 
-    /// Notes the size and the number of elements along each segment of an outline, if the shape has any.
-    void addSizes(const Shape &shape, std::uint32_t number, const Outline &outline) {
-        const std::vector<PartSize> parts = sizesOfParts(shape);
-        for (std::size_t segment = 0; !parts.empty() && segment < outline.segmentCount(); ++segment) {
-            sizes_[number].push_back(parts[outline.part(segment)]);
+    /// Returns where each segment of an outline comes from, and the size and the number of elements along it.
+    std::vector<SegmentSource> sourcesOf(const Shape &shape, std::uint32_t number, const Outline &outline) const {
+        const std::vector<PartSize> sizes = sizesOfParts(shape);
+        const std::vector<std::uint32_t> elements = elementsOfParts(document_, shape, counted_);
+        std::vector<SegmentSource> sources;
+        for (std::uint32_t segment = 0; segment < outline.segmentCount(); ++segment) {
+            SegmentSource source{.shape = number, .node = segment};
+            const auto part = static_cast<std::uint32_t>(outline.part(segment));
+            if (part < sizes.size() && sizes[part].size > 0.0) {
+                source.size = sizes[part];
+            }
+            source.elements = part < elements.size() ? elements[part] : 0;
+            const auto own = shape.segmentSizes.find(part);
+            if (source.elements > 0 && own != shape.segmentSizes.end()) {
+                source.bias = own->second.bias;
+            }
+            sources.push_back(source);
         }
-        addCounts(shape, number, outline);
-    }
-
-    void addCounts(const Shape &shape, std::uint32_t number, const Outline &outline) {
-        const std::vector<std::uint32_t> parts = elementsOfParts(document_, shape, counted_);
-        if (parts.empty()) {
-            return;
-        }
-        std::vector<std::uint32_t> &counts = counts_[number];
-        for (std::size_t segment = 0; segment < outline.segmentCount(); ++segment) {
-            const std::size_t part = outline.part(segment);
-            counts.push_back(part < parts.size() ? parts[part] : 0);
-            parts_[number].push_back(static_cast<std::uint32_t>(part));
-        }
+        return sources;
     }
 
     void addOutline(const Shape &shape, std::uint32_t number) {
         const Outline outline = outlineOf(shape);
         const Chords chords = chordsOf(shape, outline, document_.circleTolerance);
-        addSizes(shape, number, outline);
+        const std::vector<SegmentSource> sources =
+            sources_ != nullptr ? sourcesOf(shape, number, outline) : std::vector<SegmentSource>();
         std::vector<std::uint32_t> ids;
         ids.reserve(chords.nodes.size());
         for (std::uint32_t k = 0; k < chords.nodes.size(); ++k) {
@@ -164,7 +146,7 @@ class DocumentDomain {
                                         segmentTag(shape, outline.part(segment)), role, stretch});
             shapes_.push_back(number);
             if (sources_ != nullptr) {
-                sources_->segments.push_back({number, segment});
+                sources_->segments.push_back(sources[segment]);
             }
         }
         if (!outline.closed && !ids.empty()) {
@@ -218,11 +200,12 @@ class DocumentDomain {
 
     void takeDivision(const DividedSegments &parts, const std::vector<SegmentRun> &loops) {
         loops_ = loops;
-        shares_ = parts.elements;
         if (sources_ != nullptr) {
-            const std::vector<ShapeNode> old = std::exchange(sources_->segments, {});
-            for (const std::uint32_t s : parts.given) {
-                sources_->segments.push_back(old[s]);
+            const std::vector<SegmentSource> old = std::exchange(sources_->segments, {});
+            for (std::size_t s = 0; s < parts.given.size(); ++s) {
+                SegmentSource source = old[parts.given[s]];
+                source.elements = parts.elements[s] > 0 ? parts.elements[s] : source.elements;
+                sources_->segments.push_back(source);
             }
         }
     }
@@ -246,7 +229,6 @@ class DocumentDomain {
         }
         if (!dropped.empty()) {
             eraseMarked(dropped, domain_.segments);
-            eraseMarked(dropped, shares_);
             if (sources_ != nullptr) {
                 eraseMarked(dropped, sources_->segments);
             }
@@ -293,28 +275,6 @@ class DocumentDomain {
         }
     }
 
-    /// Returns the number of elements along a segment, or along the curve that it is a chord of; 0: as the spacing
-    /// asks.
-    std::uint32_t elementsOf(std::uint32_t segment) const {
-        if (segment < shares_.size() && shares_[segment] != 0) {
-            return shares_[segment];
-        }
-        const auto [shape, part] = sources_->segments[segment];
-        const auto found = counts_.find(shape);
-        return found != counts_.end() ? found->second[part] : 0;
-    }
-
-    /// Returns the bias of the elements along a segment, or along the curve that it is a chord of.
-    ElementBias biasOf(std::uint32_t segment) const {
-        const auto [number, part] = sources_->segments[segment];
-        const Shape &shape = *document_.shapes[number];
-        if (elementsOf(segment) == 0 || shape.segmentSizes.empty()) {
-            return {};
-        }
-        const auto own = shape.segmentSizes.find(parts_.at(number)[part]);
-        return own != shape.segmentSizes.end() ? own->second.bias : ElementBias{};
-    }
-
     /// Returns true if a line has layers, a periodic partner, a crack or a strip by its tag, and the line that would
     /// take its place has another tag.
     bool losesRole(SegmentRun kept, SegmentRun dropped) const {
@@ -336,21 +296,16 @@ class DocumentDomain {
         if (sources_ == nullptr) {
             return true;
         }
-        const auto sizeOf = [&](std::uint32_t segment) {
-            const auto [shape, part] = sources_->segments[segment];
-            const auto found = sizes_.find(shape);
-            return found != sizes_.end() ? found->second[part] : PartSize{0.0, 0.0};
-        };
         // A part of a curve has a share of the curve's number, which depends on the rest of it.
         const auto isWhole = [&](SegmentRun run) {
             const CurveStretch &start = domain_.segments[run.first].stretch;
             const CurveStretch &end = domain_.segments[run.end - 1].stretch;
             return !start.follows() || (start.t0 == 0.0 && end.t1 == 1.0);
         };
-        const std::uint32_t elements = elementsOf(first.first);
-        const bool counted = elements == 0 || (isWhole(first) && isWhole(second) && !biasOf(first.first).any() &&
-                                               !biasOf(second.first).any());
-        return counted && elements == elementsOf(second.first) && sizeOf(first.first) == sizeOf(second.first);
+        const SegmentSource &one = sources_->segments[first.first], &other = sources_->segments[second.first];
+        const bool counted =
+            one.elements == 0 || (isWhole(first) && isWhole(second) && !one.bias.any() && !other.bias.any());
+        return counted && one.elements == other.elements && one.size == other.size;
     }
 
     static constexpr int kMaxDivisions = 8; ///< attempts
@@ -358,16 +313,12 @@ class DocumentDomain {
     const Document &document_;
     std::map<std::int32_t, PartSegments> counted_;
     DomainSources own_;
-    DomainSources *sources_;                                     ///< null: nobody needs them
-    std::map<std::uint32_t, std::vector<std::uint32_t>> counts_; ///< by shape, of each segment of its outline
-    std::map<std::uint32_t, std::vector<std::uint32_t>> parts_;  ///< the same: tagged parts
-    std::map<std::uint32_t, std::vector<PartSize>> sizes_;       ///< the same
+    DomainSources *sources_; ///< null: nobody needs them
     Domain domain_;
     NodeMerger merger_;
     std::vector<SegmentRun> loops_;
     std::vector<JointNode> joints_;
     std::vector<std::uint32_t> shapes_; ///< per segment, as drawn
-    std::vector<std::uint32_t> shares_; ///< per segment: see DividedSegments::elements
     bool flattened_ = false;            ///< some chords were chosen here, regardless of what is near
 };
 
