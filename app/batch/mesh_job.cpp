@@ -6,7 +6,6 @@
 #include "app/batch/raster_option.hpp"
 #include "app/batch/rules_option.hpp"
 #include "core/drawing/document/document.hpp"
-#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
@@ -28,7 +27,10 @@ Result<ReadJob> readDomainOf(const Input &input, ImportNotes &notes) {
         if (!document) {
             return document.faults();
         }
-        return ReadJob{jobOf(*document), boundsOf(*document), document->picture, document->limits, document->unit};
+        Result<MeshingJob> job = readJobOf(*document, input.path.string(), &notes);
+        return job ? Result<ReadJob>(ReadJob{std::move(*job), boundsOf(*document), document->picture, document->limits,
+                                             document->unit})
+                   : job.faults();
     }
     Result<DomainFile> file = allFormats().readDomain(input.path, input.options, &notes);
     if (!file) {

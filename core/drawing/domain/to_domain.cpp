@@ -3,6 +3,7 @@
 #include "core/drawing/domain/domain_sources.hpp"
 #include "core/drawing/domain/neighbour_sides.hpp"
 #include "core/drawing/domain/refine_chords.hpp"
+#include "core/drawing/domain/side_choice.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
@@ -25,8 +26,7 @@ class DocumentDomain {
   public:
     DocumentDomain(const Document &document, DomainSources *sources)
         : document_(document), counted_(countedParts(document)),
-          sources_(sources != nullptr || (counted_.empty() && !hasSegmentSizes(document)) ? sources : &own_),
-          merger_(domain_.nodes) {}
+          sources_(sources != nullptr || !needsSources(document) ? sources : &own_), merger_(domain_.nodes) {}
 
     Domain build() {
         for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
@@ -56,7 +56,16 @@ class DocumentDomain {
     /// Returns the sizes along the segments that were built, see PlacedSizes::segments.
     std::vector<PartSize> sizes() const { return listOf<PartSize>(&SegmentSource::size, SegmentSource{}.size); }
 
+    /// Returns the sides that two shapes share and want different.
+    const Diagnostics &findings() const { return findings_; }
+
   private:
+    /// Returns true if lines differ in more than their places and tags.
+    bool needsSources(const Document &document) const {
+        return !counted_.empty() || hasSegmentSizes(document) || !document.layers.empty() ||
+               !document.periodic.empty() || !document.cracks.empty() || !document.strips.empty();
+    }
+
     /// Returns one property of each segment; an empty list if no segment has it.
     template <class Value>
     std::vector<Value> listOf(Value SegmentSource::*property, const Value &none) const {
@@ -213,18 +222,30 @@ class DocumentDomain {
     /// Makes what two closed shapes have drawn, each for itself, one line.
     void joinNeighbours() {
         std::vector<bool> dropped;
-        std::vector<std::uint32_t> inner; // nodes of curves that are dropped
-        for (const NeighbourSide &side : neighbourSides(domain_, loops_)) {
-            if (!haveSameSizes(side.kept, side.dropped) || losesRole(side.kept, side.dropped)) {
+        std::vector<std::uint32_t> inner;            // nodes of curves that are dropped
+        std::map<std::uint32_t, SegmentRun> holders; // what took the place of a kept line, by its first segment
+        for (NeighbourSide &side : neighbourSides(domain_, loops_)) {
+            const auto holder = holders.find(side.kept.first);
+            side.kept = holder != holders.end() ? holder->second : side.kept;
+            const SideChoice choice = sources_ != nullptr ? chooseSide(document_, domain_, *sources_, side)
+                                                          : SideChoice{.tag = domain_.segments[side.kept.first].tag};
+            if (choice.conflict) {
+                findings_.push_back(*choice.conflict);
                 continue;
+            }
+            const SegmentRole role = side.within ? SegmentRole::Constraint : domain_.segments[side.kept.first].role;
+            if (choice.dropped) {
+                holders[holder != holders.end() ? holder->first : side.kept.first] = side.dropped;
+                std::swap(side.kept, side.dropped);
             }
             dropped.resize(domain_.segments.size(), false);
             std::fill(dropped.begin() + side.dropped.first, dropped.begin() + side.dropped.end, true);
             for (std::uint32_t s = side.dropped.first + 1; s < side.dropped.end; ++s) {
                 inner.push_back(domain_.segments[s].a);
             }
-            for (std::uint32_t s = side.kept.first; side.within && s < side.kept.end; ++s) {
-                domain_.segments[s].role = SegmentRole::Constraint;
+            for (std::uint32_t s = side.kept.first; s < side.kept.end; ++s) {
+                domain_.segments[s].role = role;
+                domain_.segments[s].tag = choice.tag;
             }
         }
         if (!dropped.empty()) {
@@ -275,39 +296,6 @@ class DocumentDomain {
         }
     }
 
-    /// Returns true if a line has layers, a periodic partner, a crack or a strip by its tag, and the line that would
-    /// take its place has another tag.
-    bool losesRole(SegmentRun kept, SegmentRun dropped) const {
-        const std::int32_t tag = domain_.segments[dropped.first].tag;
-        const auto ofTag = [tag](const auto &spec) { return spec.tag == tag; };
-        const auto &layers = document_.layers;
-        const auto &periodic = document_.periodic;
-        const auto &cracks = document_.cracks;
-        const auto &strips = document_.strips;
-        return tag != domain_.segments[kept.first].tag &&
-               (std::any_of(layers.begin(), layers.end(), ofTag) || std::any_of(strips.begin(), strips.end(), ofTag) ||
-                std::find(cracks.begin(), cracks.end(), tag) != cracks.end() ||
-                std::any_of(periodic.begin(), periodic.end(),
-                            [tag](const PeriodicSpec &spec) { return spec.from == tag || spec.to == tag; }));
-    }
-
-    /// Returns true if the same sizes and numbers of elements are given along two lines. Else neither can do for both.
-    bool haveSameSizes(SegmentRun first, SegmentRun second) const {
-        if (sources_ == nullptr) {
-            return true;
-        }
-        // A part of a curve has a share of the curve's number, which depends on the rest of it.
-        const auto isWhole = [&](SegmentRun run) {
-            const CurveStretch &start = domain_.segments[run.first].stretch;
-            const CurveStretch &end = domain_.segments[run.end - 1].stretch;
-            return !start.follows() || (start.t0 == 0.0 && end.t1 == 1.0);
-        };
-        const SegmentSource &one = sources_->segments[first.first], &other = sources_->segments[second.first];
-        const bool counted =
-            one.elements == 0 || (isWhole(first) && isWhole(second) && !one.bias.any() && !other.bias.any());
-        return counted && one.elements == other.elements && one.size == other.size;
-    }
-
     static constexpr int kMaxDivisions = 8; ///< attempts
 
     const Document &document_;
@@ -316,6 +304,7 @@ class DocumentDomain {
     DomainSources *sources_; ///< null: nobody needs them
     Domain domain_;
     NodeMerger merger_;
+    Diagnostics findings_;
     std::vector<SegmentRun> loops_;
     std::vector<JointNode> joints_;
     std::vector<std::uint32_t> shapes_; ///< per segment, as drawn
@@ -368,6 +357,7 @@ MeshingJob jobOf(const Document &document) {
     job.spacing.placed.elements = made.elements();
     job.spacing.placed.biases = made.biases();
     job.spacing.placed.segments = made.sizes();
+    job.findings = made.findings();
     // A deleted part may have left its layers, its periodic partner, its crack, its strip or its rows, as it may its
     // size.
     std::unordered_set<std::int32_t> tags, regions{1};
