@@ -2,6 +2,7 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/domain/domain_sources.hpp"
 #include "core/drawing/domain/neighbour_sides.hpp"
+#include "core/drawing/domain/part_settings.hpp"
 #include "core/drawing/domain/refine_chords.hpp"
 #include "core/drawing/domain/side_choice.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
@@ -12,9 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -358,27 +357,7 @@ MeshingJob jobOf(const Document &document) {
     job.spacing.placed.biases = made.biases();
     job.spacing.placed.segments = made.sizes();
     job.findings = made.findings();
-    // A deleted part may have left its layers, its periodic partner, its crack, its strip or its rows, as it may its
-    // size.
-    std::unordered_set<std::int32_t> tags, regions{1};
-    for (const DomainSegment &segment : job.domain.segments) {
-        tags.insert(segment.tag);
-    }
-    for (const MarkedRegion &marker : document.regionMarkers) {
-        regions.insert(marker.tag);
-    }
-    const auto present = [&](std::int32_t tag) { return tags.contains(tag); };
-    std::copy_if(document.layers.begin(), document.layers.end(), std::back_inserter(job.layers),
-                 [&](const LayerSpec &layer) { return present(layer.tag); });
-    std::copy_if(document.periodic.begin(), document.periodic.end(), std::back_inserter(job.periodic),
-                 [&](const PeriodicSpec &spec) { return present(spec.from) && present(spec.to); });
-    std::copy_if(document.cracks.begin(), document.cracks.end(), std::back_inserter(job.cracks), present);
-    std::copy_if(document.strips.begin(), document.strips.end(), std::back_inserter(job.strips),
-                 [&](const StripSpec &spec) { return present(spec.tag); });
-    std::copy_if(document.mapped.begin(), document.mapped.end(), std::back_inserter(job.mapped),
-                 [&](const MappedSpec &spec) { return regions.contains(spec.region); });
-    std::copy_if(document.regionElements.begin(), document.regionElements.end(), std::back_inserter(job.regionElements),
-                 [&](const RegionElements &own) { return regions.contains(own.region); });
+    addPartSettings(document, job);
     return job;
 }
 
