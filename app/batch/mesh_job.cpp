@@ -163,7 +163,8 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
         printFaults(allFormats().locateFaults(input.path, notesWithPlaces(repaired->changes), input.options));
     }
     read.repaired = std::move(*repaired);
-    carryElements(job.domain, *read.repaired, job.spacing);
+    printFaults(
+        allFormats().locateFaults(input.path, carryElements(job.domain, *read.repaired, job.spacing), input.options));
     job.domain = std::move(read.repaired->domain);
     return {};
 }

@@ -1,5 +1,6 @@
 #include "core/drawing/domain/divide_at_joints.hpp"
 
+#include "core/engine/domain/element_shares.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ struct JointPlace {
 class JointDivision {
   public:
     JointDivision(const Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
-                  std::span<const std::uint32_t> elements, const std::vector<bool> &whole)
+                  const SegmentElements &elements, const std::vector<bool> &whole)
         : domain_(domain), nodes_(nodes), shapes_(shapes), elements_(elements), whole_(whole),
           tolerance_(kOnSegment * domain.bounds().diagonal()) {}
 
@@ -94,15 +95,19 @@ class JointDivision {
     }
 
     void addParts(std::uint32_t s, std::span<const JointPlace> at, DividedSegments &result) const {
-        const std::vector<JointPlace> divisions = apart(s, at);
-        const std::uint32_t whole = elementsOf(s);
+        std::vector<JointPlace> divisions = apart(at);
+        std::vector<ElementShare> shares = sharesOf(s, divisions);
+        if (shares.size() > elementsOf(s) ||
+            std::any_of(shares.begin(), shares.end(), [](const ElementShare &share) { return !share.keepsBias; })) {
+            divisions.clear();
+            shares.clear();
+        }
         DomainSegment rest = domain_.segments[s];
-        std::uint32_t before = 0;
-        const auto add = [&](const DomainSegment &part, std::uint32_t after) {
+        const auto add = [&](const DomainSegment &part, std::size_t k) {
             result.segments.push_back(part);
             result.given.push_back(s);
-            result.elements.push_back(divisions.empty() ? 0 : after - before);
-            before = after;
+            result.elements.push_back(shares.empty() ? 0 : shares[k].elements);
+            result.biases.push_back(shares.empty() ? ElementBias{} : shares[k].bias);
         };
         for (std::size_t k = 0; k < divisions.size(); ++k) {
             DomainSegment part = rest;
@@ -110,15 +115,13 @@ class JointDivision {
             if (rest.stretch.follows()) {
                 part.stretch.t1 = rest.stretch.t0 = divisions[k].t;
             }
-            const auto left = static_cast<std::uint32_t>(divisions.size() - k);
-            const auto share = static_cast<std::uint32_t>(std::lround(whole * divisions[k].along));
-            add(part, whole == 0 ? 0 : std::clamp(share, before + 1, whole - left));
+            add(part, k);
         }
-        add(rest, whole);
+        add(rest, divisions.size());
     }
 
-    /// Returns the divisions of a segment without those at the place of another; none if it must stay whole.
-    std::vector<JointPlace> apart(std::uint32_t s, std::span<const JointPlace> at) const {
+    /// Returns the divisions of a segment without those at the place of another.
+    std::vector<JointPlace> apart(std::span<const JointPlace> at) const {
         std::vector<JointPlace> kept;
         for (const JointPlace &division : at) {
             const bool first =
@@ -127,22 +130,30 @@ class JointDivision {
                 kept.push_back(division);
             }
         }
-        const std::uint32_t whole = elementsOf(s);
-        if (whole != 0 && whole <= kept.size()) {
-            kept.clear();
-        }
         return kept;
     }
 
-    /// Returns the number of elements to share among the parts of a segment; those of a curve share by themselves.
-    std::uint32_t elementsOf(std::uint32_t s) const {
-        return stretch(s).follows() || elements_.empty() ? 0 : elements_[s];
+    /// Returns the elements along the parts of a segment with a number of them; none if it stays whole.
+    std::vector<ElementShare> sharesOf(std::uint32_t s, const std::vector<JointPlace> &divisions) const {
+        const std::uint32_t whole = elementsOf(s);
+        if (whole == 0 || divisions.empty()) {
+            return {};
+        }
+        std::vector<double> ends;
+        for (const JointPlace &division : divisions) {
+            ends.push_back(division.along);
+        }
+        ends.push_back(1.0);
+        return shareElements(whole, elements_.bias(s), ends);
     }
+
+    /// Returns the number of elements to share among the parts of a segment; those of a curve share by themselves.
+    std::uint32_t elementsOf(std::uint32_t s) const { return stretch(s).follows() ? 0 : elements_[s]; }
 
     const Domain &domain_;
     std::span<const JointNode> nodes_;
     std::span<const std::uint32_t> shapes_;
-    std::span<const std::uint32_t> elements_;
+    SegmentElements elements_;
     const std::vector<bool> &whole_;
     double tolerance_;
     std::vector<JointPlace> divisions_;
@@ -151,7 +162,7 @@ class JointDivision {
 } // namespace
 
 DividedSegments divideAtJoints(const Domain &domain, std::span<const JointNode> nodes,
-                               std::span<const std::uint32_t> shapes, std::span<const std::uint32_t> elements,
+                               std::span<const std::uint32_t> shapes, const SegmentElements &elements,
                                const std::vector<bool> &whole) {
     return JointDivision(domain, nodes, shapes, elements, whole).run();
 }

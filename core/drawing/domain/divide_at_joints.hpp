@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/segment_elements.hpp"
 
 #include <cstdint>
 #include <span>
@@ -20,17 +21,18 @@ struct DividedSegments {
     std::vector<std::uint32_t> given;    ///< per segment: the index that it, or what it is a part of, had before
     std::vector<std::uint32_t> elements; ///< per segment: its number of elements if it is a part of a straight one
                                          ///< that has a number; else 0
+    std::vector<ElementBias> biases;     ///< per segment: the bias of these
 };
 
 /// Returns the segments divided at the nodes of other shapes that lie on them or their curves, within 1e-10 of the
 /// domain's diagonal, so that what is joined in a drawing is joined in its mesh. The parts of a straight segment with a
-/// number of elements share it by their lengths; such a segment stays whole if it has fewer elements than there would
-/// be parts.
+/// number of elements have those that lie in them, with their bias; such a segment stays whole if it has fewer elements
+/// than there would be parts, or if a part could not keep its bias.
 ///
-/// `shapes`, `elements`: per segment, the shape that it comes from and its number of elements, 0: as the spacing asks;
-/// an empty list of elements: none has a number. `whole`: the segments that must stay as they are.
+/// `shapes`: per segment, the shape that it comes from. `elements`: of the segments. `whole`: the segments that must
+/// stay as they are.
 DividedSegments divideAtJoints(const Domain &domain, std::span<const JointNode> nodes,
-                               std::span<const std::uint32_t> shapes, std::span<const std::uint32_t> elements,
+                               std::span<const std::uint32_t> shapes, const SegmentElements &elements,
                                const std::vector<bool> &whole);
 
 } // namespace forefront

@@ -169,13 +169,10 @@ class DocumentDomain {
             return; // one shape, which no other one divides
         }
         const std::vector<std::uint32_t> counts = elements();
+        const std::vector<ElementBias> ratios = biases();
         std::vector<bool> whole(domain_.segments.size(), false);
-        const std::vector<ElementBias> bias = biases();
-        for (std::size_t s = 0; s < bias.size(); ++s) {
-            whole[s] = bias[s].any() && !domain_.segments[s].stretch.follows(); // parts could not keep the bias
-        }
         for (int round = 0; round < kMaxDivisions; ++round) {
-            DividedSegments parts = divideAtJoints(domain_, joints_, shapes_, counts, whole);
+            DividedSegments parts = divideAtJoints(domain_, joints_, shapes_, {counts, ratios}, whole);
             if (parts.given.empty()) {
                 return;
             }
@@ -212,7 +209,10 @@ class DocumentDomain {
             const std::vector<SegmentSource> old = std::exchange(sources_->segments, {});
             for (std::size_t s = 0; s < parts.given.size(); ++s) {
                 SegmentSource source = old[parts.given[s]];
-                source.elements = parts.elements[s] > 0 ? parts.elements[s] : source.elements;
+                if (parts.elements[s] > 0) {
+                    source.elements = parts.elements[s];
+                    source.bias = parts.biases[s];
+                }
                 sources_->segments.push_back(source);
             }
         }
