@@ -48,14 +48,16 @@ TEST_CASE("Divide at joints: an end that lies on a side divides it, exactly or u
     }
 }
 
-TEST_CASE("Divide at joints: a node beyond rounding, one of the same shape and one near an end divide nothing") {
+TEST_CASE(
+    "Divide at joints: a node farther than the same place, one of the same shape and one at an end divide nothing") {
     const auto segmentsWith = [](Vec2 end) {
         return toDomain(
                    documentOf({square({0, 0}, 4), makeShape(ShapeKind::Polyline, {{1, 1}, end}, ShapeUse::Constraint)}))
             .segments.size();
     };
     CHECK(segmentsWith({4, 2}) == 6);
-    CHECK(segmentsWith({4 - 1e-8, 2}) == 5);
+    CHECK(segmentsWith({4 - 1e-8, 2}) == 6);
+    CHECK(segmentsWith({4 - 1e-5, 2}) == 5);
     CHECK(segmentsWith({4, 1e-10}) == 5);
     const Document folded = documentOf({makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 4}, {2, 0}})});
     CHECK(toDomain(folded).segments.size() == 4);

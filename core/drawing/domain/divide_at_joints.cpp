@@ -12,7 +12,8 @@
 namespace forefront {
 namespace {
 
-constexpr double kOnSegment = 1e-10; ///< distance within which a node lies on a segment, in diagonals of the domain
+constexpr double kExact = 1e-10;  ///< distance that rounding causes, in diagonals of the domain
+constexpr double kOnCurve = 1e-9; ///< distance within which a mesh follows a curve from node to node, likewise
 
 /// A node inside a segment.
 struct JointPlace {
@@ -24,13 +25,16 @@ struct JointPlace {
 class JointDivision {
   public:
     JointDivision(const Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
-                  const SegmentElements &elements, const std::vector<bool> &whole)
+                  const SegmentElements &elements, const std::vector<bool> &whole, double tolerance)
         : domain_(domain), nodes_(nodes), shapes_(shapes), elements_(elements), whole_(whole),
-          tolerance_(kOnSegment * domain.bounds().diagonal()) {}
+          diagonal_(domain.bounds().diagonal()), tolerance_(std::max(tolerance, kOnCurve * diagonal_)) {}
 
     DividedSegments run() {
         find();
-        return divisions_.empty() ? DividedSegments{} : divide();
+        DividedSegments result = divisions_.empty() ? DividedSegments{} : divide();
+        result.farthest = farthest_;
+        result.beside = std::move(beside_);
+        return result;
     }
 
   private:
@@ -70,16 +74,30 @@ class JointDivision {
     /// Notes a node if it lies inside a segment.
     void test(std::uint32_t segment, std::uint32_t node) {
         const Vec2 a = start(segment), b = end(segment), p = domain_.nodes[node];
-        if (!(distance(p, a) > tolerance_) || !(distance(p, b) > tolerance_)) {
+        const double rounding = kExact * diagonal_;
+        if (!(distance(p, a) > rounding) || !(distance(p, b) > rounding)) {
             return;
         }
         const CurveStretch &part = stretch(segment);
         const Curve curve = part.follows() ? domain_.curves[part.curve] : Curve::line(a, b);
         const double t0 = part.follows() ? part.t0 : 0.0, t1 = part.follows() ? part.t1 : 1.0;
         const double t = curve.nearest(p, t0, t1);
-        if (distance(curve.point(t), p) <= tolerance_ && t != t0 && t != t1) {
-            divisions_.push_back({segment, node, t, (t - t0) / (t1 - t0)});
+        const double away = distance(curve.point(t), p);
+        if (!(away <= tolerance_)) {
+            return;
         }
+        if (part.follows() && away > kOnCurve * diagonal_) {
+            const auto isNode = [&](const NodeBesideCurve &other) { return other.node == node; };
+            if (t > 0.0 && t < 1.0 && std::none_of(beside_.begin(), beside_.end(), isNode)) {
+                beside_.push_back({segment, node, away});
+            }
+            return;
+        }
+        if (t == t0 || t == t1) {
+            return;
+        }
+        divisions_.push_back({segment, node, t, (t - t0) / (t1 - t0)});
+        farthest_ = std::max(farthest_, away);
     }
 
     DividedSegments divide() const {
@@ -122,10 +140,11 @@ class JointDivision {
 
     /// Returns the divisions of a segment without those at the place of another.
     std::vector<JointPlace> apart(std::span<const JointPlace> at) const {
+        const double rounding = kExact * diagonal_;
         std::vector<JointPlace> kept;
         for (const JointPlace &division : at) {
             const bool first =
-                kept.empty() || distance(domain_.nodes[kept.back().node], domain_.nodes[division.node]) > tolerance_;
+                kept.empty() || distance(domain_.nodes[kept.back().node], domain_.nodes[division.node]) > rounding;
             if (first) {
                 kept.push_back(division);
             }
@@ -155,16 +174,18 @@ class JointDivision {
     std::span<const std::uint32_t> shapes_;
     SegmentElements elements_;
     const std::vector<bool> &whole_;
-    double tolerance_;
+    double diagonal_, tolerance_;
     std::vector<JointPlace> divisions_;
+    std::vector<NodeBesideCurve> beside_;
+    double farthest_ = 0.0;
 };
 
 } // namespace
 
 DividedSegments divideAtJoints(const Domain &domain, std::span<const JointNode> nodes,
                                std::span<const std::uint32_t> shapes, const SegmentElements &elements,
-                               const std::vector<bool> &whole) {
-    return JointDivision(domain, nodes, shapes, elements, whole).run();
+                               const std::vector<bool> &whole, double tolerance) {
+    return JointDivision(domain, nodes, shapes, elements, whole, tolerance).run();
 }
 
 } // namespace forefront

@@ -1,13 +1,17 @@
 #include "core/drawing/domain/divide_at_joints.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/domain/domain_sources.hpp"
+#include "core/drawing/domain/joined_places.hpp"
+#include "core/drawing/domain/joint_notes.hpp"
 #include "core/drawing/domain/neighbour_sides.hpp"
 #include "core/drawing/domain/part_settings.hpp"
 #include "core/drawing/domain/refine_chords.hpp"
 #include "core/drawing/domain/side_choice.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/base/diagnostic.hpp"
 #include "core/engine/domain/node_merger.hpp"
 
 #include <algorithm>
@@ -25,7 +29,8 @@ class DocumentDomain {
   public:
     DocumentDomain(const Document &document, DomainSources *sources)
         : document_(document), counted_(countedParts(document)),
-          sources_(sources != nullptr || !needsSources(document) ? sources : &own_), merger_(domain_.nodes) {}
+          sources_(sources != nullptr || !needsSources(document) ? sources : &own_), merger_(domain_.nodes),
+          joined_(document), samePlace_(samePlaceDistance(document)) {}
 
     Domain build() {
         for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
@@ -55,7 +60,7 @@ class DocumentDomain {
     /// Returns the sizes along the segments that were built, see PlacedSizes::segments.
     std::vector<PartSize> sizes() const { return listOf<PartSize>(&SegmentSource::size, SegmentSource{}.size); }
 
-    /// Returns the sides that two shapes share and want different.
+    /// Returns what the user should know of how shapes meet: sides that two want different, errors, and joints.
     const Diagnostics &findings() const { return findings_; }
 
   private:
@@ -88,7 +93,7 @@ class DocumentDomain {
 
     void addPoint(const Shape &shape, std::uint32_t number) {
         for (std::uint32_t k = 0; k < shape.nodes.size(); ++k) {
-            const std::uint32_t node = addNode(shape.nodes[k], {number, k});
+            const std::uint32_t node = addNode(joined_.of(shape.nodes[k]), {number, k});
             if (k == 0 && shape.use == ShapeUse::Constraint) {
                 domain_.points.push_back({node, shape.tag});
                 joints_.push_back({node, number});
@@ -121,7 +126,8 @@ class DocumentDomain {
     }
 
     void addOutline(const Shape &shape, std::uint32_t number) {
-        const Outline outline = outlineOf(shape);
+        Outline outline = outlineOf(shape);
+        joined_.apply(outline);
         const Chords chords = chordsOf(shape, outline, document_.circleTolerance);
         const std::vector<SegmentSource> sources =
             sources_ != nullptr ? sourcesOf(shape, number, outline) : std::vector<SegmentSource>();
@@ -172,20 +178,36 @@ class DocumentDomain {
         const std::vector<ElementBias> ratios = biases();
         std::vector<bool> whole(domain_.segments.size(), false);
         for (int round = 0; round < kMaxDivisions; ++round) {
-            DividedSegments parts = divideAtJoints(domain_, joints_, shapes_, {counts, ratios}, whole);
+            DividedSegments parts = divideAtJoints(domain_, joints_, shapes_, {counts, ratios}, whole, samePlace_);
             if (parts.given.empty()) {
+                noteJoints(parts, whole);
                 return;
             }
             const std::vector<SegmentRun> loops = loopsIn(parts);
             domain_.segments.swap(parts.segments);
-            const std::vector<std::uint32_t> twice = drawnTwice(domain_, loops, parts.given);
+            const std::vector<std::uint32_t> twice = drawnTwice(domain_, loops, parts.given, samePlace_);
             if (twice.empty()) {
+                noteJoints(parts, whole);
                 takeDivision(parts, loops);
                 return;
             }
             domain_.segments.swap(parts.segments); // back to what was drawn
             for (const std::uint32_t s : twice) {
                 whole[s] = true;
+            }
+        }
+    }
+
+    /// Notes what was joined although it was drawn apart, and what was not. Call before the division is taken.
+    void noteJoints(const DividedSegments &parts, const std::vector<bool> &whole) {
+        const JointNotes notes(document_, domain_);
+        notes.joined(std::max(joined_.farthest(), parts.farthest), findings_);
+        for (const NodeBesideCurve &beside : parts.beside) {
+            notes.beside(beside, shapes_[beside.segment], findings_);
+        }
+        for (std::size_t s = 0; s < whole.size(); ++s) {
+            if (whole[s]) {
+                notes.along(shapes_[s], findings_);
             }
         }
     }
@@ -223,7 +245,7 @@ class DocumentDomain {
         std::vector<bool> dropped;
         std::vector<std::uint32_t> inner;            // nodes of curves that are dropped
         std::map<std::uint32_t, SegmentRun> holders; // what took the place of a kept line, by its first segment
-        for (NeighbourSide &side : neighbourSides(domain_, loops_)) {
+        for (NeighbourSide &side : neighbourSides(domain_, loops_, samePlace_)) {
             const auto holder = holders.find(side.kept.first);
             side.kept = holder != holders.end() ? holder->second : side.kept;
             const SideChoice choice = sources_ != nullptr ? chooseSide(document_, domain_, *sources_, side)
@@ -303,6 +325,8 @@ class DocumentDomain {
     DomainSources *sources_; ///< null: nobody needs them
     Domain domain_;
     NodeMerger merger_;
+    JoinedPlaces joined_;
+    double samePlace_; ///< see samePlaceDistance()
     Diagnostics findings_;
     std::vector<SegmentRun> loops_;
     std::vector<JointNode> joints_;
@@ -358,6 +382,8 @@ MeshingJob jobOf(const Document &document) {
     job.spacing.placed.segments = made.sizes();
     job.findings = made.findings();
     addPartSettings(document, job);
+    std::stable_partition(job.findings.begin(), job.findings.end(),
+                          [](const Diagnostic &finding) { return finding.severity == Severity::Error; });
     return job;
 }
 
