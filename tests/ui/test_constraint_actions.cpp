@@ -173,6 +173,7 @@ TEST_CASE("Sketch: deleting a shape names the constraints that go with it") {
     Sketcher driver;
     driver.choose({{2, 0}});
     driver.constrain("radius");
+    driver.key(key::kEscape); // the field of the new dimension
     driver.context().selection.clear();
     driver.context().selection.shapes.insert(2);
     driver.key(key::kDelete);

@@ -186,6 +186,19 @@ TEST_CASE("Sketch on the canvas: a determined node stays, and its typed place is
     CHECK(distance(driver.at(1), from) < 1e-9);
     CHECK(driver.logHas("constraint-conflict"));
     driver.key(key::kEscape);
+    driver.press(driver.pixel(from)); // the same for a distance and an angle that are typed while it is dragged
+    driver.moveToPlace(from + Vec2{0.5, 0.5});
+    driver.moveToPlace(from + Vec2{1.0, 1.5});
+    driver.frames(2);
+    driver.type("2");
+    driver.key(key::kTab);
+    driver.type("90");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(distance(driver.at(1), from) < 1e-9);
+    CHECK(driver.logHas("refused"));
+    CHECK(driver.context().log.entries().back().diagnostic.message.find("Fixed 1") != std::string::npos);
+    driver.release(driver.pixel(from));
 }
 
 TEST_CASE("Sketch on the canvas: the status bar and the legend say what is free") {

@@ -1,6 +1,8 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <doctest/doctest.h>
 
@@ -61,6 +63,8 @@ TEST_CASE("Values of the sketch: they stay while the selection changes, and a do
         driver.context().selection.segments.insert({1, segment});
         driver.settle();
         CHECK(driver.context().actions.run("constraint.length", driver.context()));
+        driver.settle();
+        driver.key(key::kEscape); // the field of the new dimension
         driver.settle();
         const std::string value = "sketch/" + std::to_string(driver.document().constraints.back()->id) + "/0";
         const PixelRect added = driver.rect(value);
@@ -136,6 +140,131 @@ TEST_CASE("Values of the sketch: a number typed for a parameter sets the paramet
     CHECK(driver.lowerSide() == doctest::Approx(3.0));
     CHECK(driver.document().parameters[1].expression == "w/2");
     CHECK(driver.document().formulas.empty());
+}
+
+TEST_CASE("Typed sizes: a length that a dimension holds says so at the field, and offers to change the dimension") {
+    ValueSketcher driver;
+    driver.add(ConstraintKind::Length, {{1, SketchPartKind::Segment, 0}});
+    const double before = driver.lowerSide();
+    driver.context().selection.clear();
+    driver.context().selection.segments.insert({1, 0});
+    driver.settle();
+    const std::uint64_t revision = driver.context().document.revision();
+    driver.fill("inspector/length", "4");
+    CHECK(driver.context().document.revision() == revision);
+    REQUIRE(driver.has("inspector/length/fault"));
+    CHECK(driver.context().fieldFault.text.starts_with("length = 4 cannot hold together with Length 1; still "));
+    REQUIRE(driver.has("fieldoffer/change"));
+    driver.key(key::kEscape); // gives up the text, and nothing has changed
+    driver.settle();
+    CHECK_FALSE(driver.has("fieldoffer/change"));
+    CHECK(driver.lowerSide() == before);
+
+    driver.fill("inspector/length", "4");
+    driver.click("fieldoffer/change");
+    driver.settle();
+    CHECK(driver.lowerSide() == doctest::Approx(4.0));
+    CHECK(driver.undoLabel() == "Change Length 1");
+    CHECK_FALSE(driver.has("inspector/length/fault"));
+    CHECK_FALSE(driver.has("fieldoffer/change"));
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    CHECK(driver.lowerSide() == before);
+}
+
+TEST_CASE("Typed sizes: where no dimension holds the length, its field names what does and offers nothing") {
+    ValueSketcher driver;
+    driver.add(ConstraintKind::Fixed, {{1, SketchPartKind::Node, 0}});
+    driver.add(ConstraintKind::Fixed, {{1, SketchPartKind::Node, 1}});
+    driver.context().selection.clear();
+    driver.context().selection.segments.insert({1, 0});
+    driver.settle();
+    driver.fill("inspector/length", "4");
+    REQUIRE(driver.has("inspector/length/fault"));
+    CHECK(driver.context().fieldFault.text.starts_with("length = 4 cannot hold together with Fixed 1 and Fixed 2"));
+    CHECK_FALSE(driver.has("fieldoffer/change"));
+}
+
+TEST_CASE("Typed sizes: a radius and the width of a rectangle offer what holds them, also a parameter") {
+    ValueSketcher driver;
+    driver.rectangle({1, 7}, {4, 9});
+    driver.key('C');
+    driver.dragPlaces({7, 8}, {8, 8});
+    driver.key('V');
+    REQUIRE(driver.document().shapes.size() == 3);
+    const std::uint32_t box = driver.document().shapes[1]->id, circle = driver.document().shapes[2]->id;
+    driver.add(ConstraintKind::HorizontalDistance, {{box, SketchPartKind::Node, 0}, {box, SketchPartKind::Node, 1}});
+    driver.add(ConstraintKind::Diameter, {{circle, SketchPartKind::Segment, 0}});
+    const NumberAddress diameter{NumberOwner::ofConstraint(driver.document().constraints.back()->id), Quantity::Value};
+    Result<Document> named = setParameters(driver.document(), {{"d", "2"}});
+    REQUIRE(named.ok());
+    driver.context().document.apply(setFormula(*std::move(named), diameter, "d"), "Parameters");
+    REQUIRE(driver.document().formulas.contains(diameter));
+    const auto typeAndTake = [&](std::uint32_t shape, const char *field, const char *text) {
+        driver.context().selection.clear();
+        driver.context().selection.shapes.insert(shape);
+        driver.settle();
+        driver.fill(field, text);
+        CHECK(driver.has(std::string(field) + "/fault"));
+        driver.click("fieldoffer/change");
+        driver.settle();
+        CHECK_FALSE(driver.has("fieldoffer/change"));
+    };
+    typeAndTake(box, "inspector/size/x", "5");
+    CHECK(boundsOf(*driver.document().shapes[1]).size().x == doctest::Approx(5.0));
+    typeAndTake(circle, "inspector/radius", "1.5");
+    CHECK(circleRadius(*driver.document().shapes[2]) == doctest::Approx(1.5));
+    CHECK(driver.document().parameters[0].expression == "3");
+    CHECK(driver.document().formulas.at(diameter) == "d");
+}
+
+TEST_CASE("Values of the sketch: a new dimension opens its field with the measured value") {
+    ValueSketcher driver;
+    const auto add = [&] {
+        driver.context().selection.clear();
+        driver.context().selection.segments.insert({1, 0});
+        driver.settle();
+        CHECK(driver.context().actions.run("constraint.length", driver.context()));
+        driver.settle();
+    };
+    const double measured = driver.lowerSide();
+    const std::uint64_t before = driver.context().document.revision();
+    add();
+    REQUIRE(driver.has("dimension/value"));
+    CHECK(driver.context().dimensionEntry.text == ui::editedNumber(measured));
+    driver.type("4"); // over the selected value
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.has("dimension"));
+    CHECK(driver.lowerSide() == doctest::Approx(4.0));
+    CHECK(driver.undoLabel() == "Add Length 1");
+    driver.key('Z', {Modifiers::kControl}); // one step with its value
+    driver.settle();
+    CHECK(driver.context().document.revision() == before);
+
+    for (const int leave : {key::kEscape, key::kEnter}) {
+        add();
+        REQUIRE(driver.has("dimension/value"));
+        driver.key(leave);
+        driver.settle();
+        CHECK_FALSE(driver.has("dimension"));
+        CHECK(driver.lowerSide() == measured);
+        REQUIRE(driver.document().constraints.size() == 2);
+        CHECK(driver.document().constraints.back()->value == measured);
+        driver.key('Z', {Modifiers::kControl});
+        driver.settle();
+        CHECK(driver.context().document.revision() == before);
+    }
+
+    add();
+    driver.type("-4"); // refused
+    driver.key(key::kEnter);
+    driver.settle();
+    REQUIRE(driver.has("dimension/fault"));
+    driver.key(key::kEscape);
+    driver.settle();
+    CHECK_FALSE(driver.has("dimension"));
+    CHECK(driver.document().constraints.back()->value == measured);
 }
 
 TEST_CASE("Glyphs of the sketch: the pointer shows the name; a refusal lights those that it names until the next act") {

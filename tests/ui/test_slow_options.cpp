@@ -1,3 +1,4 @@
+#include "core/drawing_files/project/project.hpp"
 #include "tests/support/png_sample.hpp"
 #include "tests/ui/slow_entry.hpp"
 #include "ui/lessons/lesson_player.hpp"
@@ -201,6 +202,33 @@ TEST_CASE("Slow frames: fields of the file dialog") {
             return std::to_string(
                 std::filesystem::exists(place.path / (typist.slow() ? "b.forefront" : "a.forefront")));
         });
+    REQUIRE(writeProject(place.path / "other.forefront", Document()).empty());
+    const auto fileOf = [](Typist &typist) { return typist.context().document.path().filename().string(); };
+    for (const bool byMenu : {false, true}) {
+        CAPTURE(byMenu);
+        const auto run = [byMenu](Typist &typist, int key, const char *item) {
+            if (byMenu) {
+                typist.touch("menu/File");
+                typist.touch(item);
+            } else {
+                typist.tap(key, kControl);
+            }
+        };
+        expectSame(
+            "file to open after saving",
+            [&](Typist &typist) {
+                typedRectangle(typist);
+                run(typist, 'S', "menu/file.save");
+                typist.tap('A', kControl);
+                enter(typist, (place.path / (byMenu ? "e" : "f")).string() + (typist.slow() ? "1" : "0"));
+                run(typist, 'O', "menu/file.open");
+                enter(typist, "other.forefront");
+                typist.write("c");
+                typist.finish();
+                CHECK(fileOf(typist) == "other.forefront");
+            },
+            fileOf);
+    }
     expectSame(
         "folder of files",
         [&](Typist &typist) {

@@ -364,6 +364,16 @@ TEST_CASE("Slow frames: values of constraints, in the panel and on the canvas") 
         typist.finish();
         CHECK(typist.document().constraints.front()->value == 4.5);
     });
+    expectSame("value of a new dimension", [](Typist &typist) {
+        drawPolygon(typist, {});
+        selectParts(typist, {.segments = {{1, 0}}});
+        typist.tap('P', kControl);
+        enter(typist, "dimension: length");
+        enter(typist, "4.5");
+        typist.write("c");
+        typist.finish();
+        CHECK(typist.document().constraints.front()->value == 4.5);
+    });
     expectSame("lengths in other units", [](Typist &typist) {
         selectedRectangle(typist);
         typist.context().actions.run("edit.unit", typist.context());

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::test;
@@ -106,7 +107,14 @@ TEST_CASE("Unit: scaled coordinates keep their formulas") {
     driver.click("dialog/unit/ok");
     driver.settle();
     REQUIRE(driver.document().formulas.contains(width));
-    CHECK(driver.document().formulas.at(width) == "10*(w)");
+    CHECK(driver.document().formulas.at(width) == "w*cm");
+    CHECK(driver.document().parameters == std::vector<Parameter>{{"w", "4"}, {"cm", "10"}});
+    CHECK(driver.context().log.entries().back().diagnostic.message ==
+          "Expressions name the unit of their parameters: cm = 10");
+    driver.key('Z', kControl);
+    driver.settle();
+    CHECK(driver.document().formulas.at(width) == "w");
+    CHECK(driver.document().parameters == std::vector<Parameter>{{"w", "4"}});
 }
 
 TEST_CASE("Unit: a unit is refused where the drawing has none, and where the field holds no length") {

@@ -20,6 +20,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -307,6 +308,25 @@ TEST_CASE("Constraints: turned, mirrored, scaled and copied shapes take their co
         REQUIRE(copied.ok());
         checkAllHold(*copied);
         CHECK(copied->constraints.size() == 2 * plate.constraints.size() - (map.keepsAxes() ? 0 : 1));
+    }
+}
+
+TEST_CASE("Constraints: what is turned comes with its neighbours where they settle, so that it is solved once") {
+    Document document = documentOf({makeShape(ShapeKind::Polyline, {{0, 0}, {4, 0}, {7, 2}}),
+                                    makeShape(ShapeKind::Polygon, {{4, 0}, {6, -3}, {3, -4}})});
+    constrain(document, Kind::Length, {segment(1, 0)});
+    constrain(document, Kind::Coincident, {node(1, 1), node(2, 0)});
+    constrain(document, Kind::Coincident, {node(1, 2), node(2, 1)});
+    for (const PlaneMap &map : {PlaneMap::rotation(20.0, {5, -2}), PlaneMap::scaling({1.2, 1.2}, {6, -3})}) {
+        const Result<Document> turned = transformSelection(document, selected({2}), map);
+        REQUIRE_MESSAGE(turned.ok(), messageOf(turned));
+        CHECK(turned->shapes[0]->nodes != document.shapes[0]->nodes); // the neighbour has followed
+        checkAllHold(*turned);
+        const Result<Document> completed = settleCommand(document, *turned);
+        REQUIRE_MESSAGE(completed.ok(), messageOf(completed));
+        for (std::size_t k = 0; k < document.shapes.size(); ++k) {
+            CHECK(completed->shapes[k]->nodes == turned->shapes[k]->nodes);
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include "core/drawing/constraints/carry_constraints.hpp"
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/document/equality.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "tests/unit/constraint_samples.hpp"
 #include "tests/unit/edit_support.hpp"
@@ -13,6 +14,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -71,11 +74,49 @@ TEST_CASE("Constraints kept: a line that becomes a curve loses what only a line 
     }
 }
 
-TEST_CASE(
-    "Constraints kept: arcs that are stretched lose tangents and radii, and keep them when they are only scaled") {
+TEST_CASE("Constraints kept: a slot that is stretched along itself keeps its tangents and radii") {
     const Document path = tangentPath();
     const Document stretched =
-        keptThrough(path, transformSelection(path, selected({1}), PlaneMap::scaling({1.25, 1.0}, {0, 0})));
+        keptThrough(path, transformSelection(path, selected({1}), PlaneMap::scaling({1.25, 1.0}, {-1, 0})));
+    CHECK(lostConstraints(path, stretched).empty());
+    checkAllHold(stretched);
+    const Box2 box = boundsOf(*stretched.shapes[0]);
+    CHECK(box.min == Vec2{-1, 0});
+    CHECK(box.max.x == doctest::Approx(9.0)); // 1.25 of 8, as was asked for
+    CHECK(box.max.y == doctest::Approx(2.0));
+    CHECK(findConstraint(stretched, 4)->value == doctest::Approx(1.0)); // the radius
+    CHECK(findConstraint(stretched, 5)->value == doctest::Approx(8.0)); // the length takes all of the stretch
+}
+
+TEST_CASE("Constraints kept: an outline with rounded corners keeps its tangents when it is stretched along the axes") {
+    constexpr double kQuarter = 0.5 * std::numbers::pi;
+    Shape shape = makeShape(ShapeKind::Polygon, {{1, 0}, {9, 0}, {10, 1}, {10, 5}, {9, 6}, {1, 6}, {0, 5}, {0, 1}});
+    std::vector<Curve> curves(8, Curve::line({}, {}));
+    const Vec2 centres[] = {{9, 1}, {9, 5}, {1, 5}, {1, 1}};
+    for (std::size_t k = 0; k < 4; ++k) {
+        curves[2 * k + 1] = Curve::arc(centres[k], {1, 0}, {0, 1}, kQuarter * (static_cast<double>(k) - 1.0), kQuarter);
+    }
+    std::get<PathForm>(shape.form).curves = curves;
+    Document path = documentOf({shape});
+    for (std::uint32_t k = 0; k < 8; ++k) {
+        constrain(path, ConstraintKind::Tangent, {segment(1, k), segment(1, (k + 1) % 8)});
+    }
+    constrain(path, ConstraintKind::Radius, {segment(1, 1)});
+    constrain(path, ConstraintKind::Horizontal, {segment(1, 0)});
+    for (const Vec2 factors : {Vec2{1.5, 1.0}, Vec2{1.0, 0.5}, Vec2{1.5, 0.75}}) {
+        const Document stretched =
+            keptThrough(path, transformSelection(path, selected({1}), PlaneMap::scaling(factors, {0, 0})));
+        CHECK(lostConstraints(path, stretched).empty());
+        checkAllHold(stretched);
+        CHECK(boundsOf(*stretched.shapes[0]).size().x == doctest::Approx(10.0 * factors.x));
+        CHECK(boundsOf(*stretched.shapes[0]).size().y == doctest::Approx(6.0 * factors.y));
+    }
+}
+
+TEST_CASE("Constraints kept: arcs that must become ellipses lose tangents and radii, and keep them when only scaled") {
+    const Document path = tangentPath();
+    const Document stretched =
+        keptThrough(path, transformSelection(path, selected({1}), PlaneMap::scaling({1.25, 0.8}, {0, 0})));
     CHECK(stretched.constraints.size() == 1); // the length
     CHECK(lostConstraints(path, stretched).size() == path.constraints.size() - 1);
     const Document scaled =

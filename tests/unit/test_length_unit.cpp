@@ -18,6 +18,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::edit_test;
@@ -168,7 +169,8 @@ TEST_CASE(
     REQUIRE(pasted->shapes.size() == 1);
     const NumberAddress radius{NumberOwner::ofShape(pasted->shapes[0]->id), Quantity::Radius, 0};
     REQUIRE(pasted->formulas.contains(radius));
-    CHECK(pasted->formulas.at(radius) == "25.4*(r)");
+    CHECK(pasted->formulas.at(radius) == "r*in");
+    CHECK(pasted->parameters == std::vector<Parameter>{{"r", "0.5"}, {"in", "25.4"}});
     const Document inserted = insertDrawing(millimetres, inches, 25.4, nullptr);
     for (const Document &next : {*pasted, inserted}) {
         REQUIRE(next.layers.size() == 1);

@@ -1,10 +1,13 @@
 #include "ui/dialogs/constraint_actions.hpp"
 
 #include "core/drawing/constraints/constraint_commands.hpp"
+#include "core/drawing/constraints/constraint_figures.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,11 +50,29 @@ bool canConstrain(const Shell &context, ConstraintKind kind) {
     return !parts.empty() && parts.size() <= kMostParts && makeConstraint(document, kind, std::move(parts)).ok();
 }
 
-void constrain(Shell &context, ConstraintKind kind) {
+/// Opens the field for the value of a dimension that was just added, beside what it measures.
+void openField(Shell &context, const SketchConstraint &dimension, std::string stroke) {
     const Document &document = *context.document.current();
-    Result<Document> next = addConstraint(document, kind, selectedParts(document, context.selection));
+    const std::optional<DimensionFigure> figure = dimensionFigure(document, dimension);
+    if (!figure) {
+        return;
+    }
+    const Vec2 at = figure->form == DimensionFigure::Form::Linear ? 0.5 * (figure->from + figure->to) : figure->to;
+    const double gap = static_cast<double>(context.px(12.0)); // what is measured stays in sight
+    context.dimensionEntry.open(document, context.document.revision(), dimension.id,
+                                context.view.camera.toPixel(at) + Pixel{gap, gap});
+    context.dimensionEntry.stroke = std::move(stroke);
+    context.animate();
+}
+
+void constrain(Shell &context, ConstraintKind kind) {
+    const std::shared_ptr<const Document> document = context.document.current();
+    Result<Document> next = addConstraint(*document, kind, selectedParts(*document, context.selection));
     const std::string name = next ? next->constraints.back()->name : kindName(kind);
-    context.applyCommand(std::move(next), "Add " + name);
+    const std::string stroke = isDimension(kind) ? "dimension " + name : std::string();
+    if (context.applyCommand(std::move(next), "Add " + name, stroke) && isDimension(kind)) {
+        openField(context, *context.document.current()->constraints.back(), stroke);
+    }
 }
 
 /// Adds a submenu of the kinds that fit the selection.

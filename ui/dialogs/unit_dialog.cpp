@@ -1,6 +1,7 @@
 #include "ui/dialogs/unit_dialog.hpp"
 
-#include "core/drawing/commands/scale_document.hpp"
+#include "core/drawing/commands/convert_unit.hpp"
+#include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -22,6 +23,19 @@ constexpr float kUnitButton = 96.0F; ///< width, in design pixels
 
 std::string lengthText(double value, LengthUnit unit) {
     return numberText(value, 6) + unitSuffix(unit);
+}
+
+/// Tells which parameters for units the expressions have got.
+void announceUnits(Shell &context, const Document &before) {
+    std::string added;
+    for (const Parameter &parameter : context.document.current()->parameters) {
+        if (parameterIndex(before.parameters, parameter.name) == before.parameters.size()) {
+            added += (added.empty() ? "" : ", ") + parameter.name + " = " + parameter.expression;
+        }
+    }
+    if (!added.empty()) {
+        context.log.announce("Expressions name the unit of their parameters: " + added);
+    }
 }
 
 } // namespace
@@ -70,6 +84,13 @@ void UnitDialog::drawEffect(Shell &context, LengthUnit before) {
                             "so have its elements."
                       : old + " becomes " + lengthText(10.0, unit_) + ": the drawing has another size.",
               true);
+    if (scales_ && !context.document.current()->formulas.empty()) {
+        ui::small(context,
+                  "Parameters keep their numbers, in " + std::string(wordOf(before)) +
+                      "; the expressions of lengths name that unit.",
+                  true);
+        ui::mark(context, "dialog/unit/parameters");
+    }
     if (scales_ && context.document.current()->spacing.expression) {
         ui::small(context, "The expression of the element size is not converted.", true);
         ui::mark(context, "dialog/unit/expression");
@@ -81,16 +102,16 @@ bool UnitDialog::accept(Shell &context) const {
     if (unit_ == before->unit) {
         return true;
     }
-    const double factor = scales_ ? conversion(before->unit, unit_).value_or(1.0) : 1.0;
-    Result<Document> next = factor == 1.0 ? Result<Document>(*before) : scaleDocument(*before, {}, factor);
+    Result<Document> next = scales_ ? convertUnit(*before, unit_) : Result<Document>(*before);
     if (next) {
         next->unit = unit_;
     }
-    const bool scaled = factor != 1.0;
+    const bool scaled = scales_ && conversion(before->unit, unit_).has_value();
     if (!context.applyCommand(std::move(next), "Change unit to " + std::string(wordOf(unit_)))) {
         return false;
     }
     if (scaled) {
+        announceUnits(context, *before);
         context.actions.run("view.fit", context);
     }
     return true;

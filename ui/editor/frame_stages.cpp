@@ -266,6 +266,7 @@ void Editor::Parts::buildInterface() {
     shell::drawContextMenu(context);
     shell::drawNameField(context, layout.canvas);
     shell::drawDimensionField(context, layout.canvas);
+    shell::drawFieldOffer(context);
     context.dialogs.draw(context);
     shell::drawShadows(context);
 }

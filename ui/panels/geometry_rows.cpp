@@ -1,5 +1,6 @@
 #include "ui/panels/geometry_rows.hpp"
 
+#include "core/drawing/commands/typed_size.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
@@ -10,7 +11,6 @@
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
-#include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/number_field.hpp"
 #include "ui/workspace/typed_command.hpp"
 
@@ -22,6 +22,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,29 @@ NumberAddress addressOf(const Shape &shape, Quantity what, std::uint32_t handle 
 
 form::PairAddress pairAddress(const Shape &shape, Quantity first, Quantity second) {
     return {addressOf(shape, first), addressOf(shape, second)};
+}
+
+SketchPart nodeOf(const Shape &shape, std::uint32_t node) {
+    return {shape.id, SketchPartKind::Node, node};
+}
+
+SketchPart segmentOf(const Shape &shape, std::uint32_t segment) {
+    return {shape.id, SketchPartKind::Segment, segment};
+}
+
+TypedSize widthOf(const Shape &rectangle, double width) {
+    return {ConstraintKind::HorizontalDistance, {nodeOf(rectangle, 0), nodeOf(rectangle, 1)}, width, "width"};
+}
+
+TypedSize heightOf(const Shape &rectangle, double height) {
+    return {ConstraintKind::VerticalDistance, {nodeOf(rectangle, 1), nodeOf(rectangle, 2)}, height, "height"};
+}
+
+/// Sets the width or the height of a rectangle by one of its sides.
+void putSide(Shell &context, const Shape &rectangle, SegmentRef side, double size) {
+    const bool across = side.segment % 2 == 0;
+    applyTypedSize(context, setSegmentLength(*context.document.current(), side, size),
+                   across ? widthOf(rectangle, size) : heightOf(rectangle, size), "Change length");
 }
 
 void drawRectangle(Shell &context, const Shape &shape) {
@@ -51,12 +75,22 @@ void drawRectangle(Shell &context, const Shape &shape) {
     }
     if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, Quantity::Width, Quantity::Height))) {
         placeBox(next, corner, corner + size);
-        put(next, "Resize rectangle");
+        std::vector<TypedSize> sizes;
+        if (size.x != box.size().x) {
+            sizes.push_back(widthOf(shape, size.x));
+        }
+        if (size.y != box.size().y) {
+            sizes.push_back(heightOf(shape, size.y));
+        }
+        applyTypedSizes(context, replaceShape(*context.document.current(), next), sizes, "Resize rectangle");
     }
     double radius = shape.as<RectangleForm>().radius;
     if (form::number(context, "inspector/cornerradius", "Corner radius", radius, addressOf(shape, Quantity::Radius))) {
+        constexpr std::uint32_t kRounding = 4; // the segments of the corners come after those of the sides
         next.as<RectangleForm>().radius = radius;
-        put(next, "Round corners");
+        applyTypedSize(context, replaceShape(*context.document.current(), next),
+                       {ConstraintKind::Radius, {segmentOf(shape, kRounding)}, radius, "corner radius"},
+                       "Round corners");
     }
 }
 
@@ -89,7 +123,8 @@ void diameterField(Shell &context, const Shape &circle) {
         if (next) {
             next = setFormula(*std::move(next), address, formula.empty() ? formula : '(' + formula + ")/2");
         }
-        applyTyped(context, next, "Resize circle", false);
+        applyTypedSize(context, next, {ConstraintKind::Diameter, {segmentOf(circle, 0)}, diameter, "diameter"},
+                       "Resize circle", false);
     }
     ui::tooltip(context, "Diameter");
 }
@@ -104,7 +139,8 @@ void drawCircle(Shell &context, const Shape &shape) {
     form::label(context, "Radius, \xe2\x88\x85");
     if (ui::inputNumber(context, "inspector/radius", radius, form::halfWidth(context),
                         addressOf(shape, Quantity::Radius))) {
-        applyTyped(context, setRadius(document, shape.id, radius), "Resize circle", false);
+        applyTypedSize(context, setRadius(document, shape.id, radius),
+                       {ConstraintKind::Radius, {segmentOf(shape, 0)}, radius, "radius"}, "Resize circle", false);
     }
     diameterField(context, shape);
 }
@@ -132,7 +168,14 @@ void drawEllipse(Shell &context, const Shape &shape) {
         Shape next = shape;
         next.nodes[1] = centre + (radii.x / length(u)) * u;
         next.nodes[2] = centre + (radii.y / length(v)) * v;
-        context.applyCommand(replaceShape(document, std::move(next)), "Resize ellipse");
+        std::vector<TypedSize> sizes;
+        for (const auto &[node, typed, now] :
+             {std::tuple(1U, radii.x, length(u)), std::tuple(2U, radii.y, length(v))}) {
+            if (typed != now) {
+                sizes.push_back({ConstraintKind::Distance, {nodeOf(shape, 0), nodeOf(shape, node)}, typed, "radius"});
+            }
+        }
+        applyTypedSizes(context, replaceShape(document, std::move(next)), sizes, "Resize ellipse", false);
     }
 }
 
@@ -148,7 +191,9 @@ void drawSlot(Shell &context, const Shape &shape) {
     double size = distance(shape.nodes[0], shape.nodes[1]);
     if (form::number(context, "inspector/slotlength", "Distance", size, addressOf(shape, Quantity::Length)) &&
         ui::checkPositive(context, "inspector/slotlength", size)) {
-        context.applyCommand(setSegmentLength(document, {shape.id, 0}, size), "Change length of slot");
+        applyTypedSize(context, setSegmentLength(document, {shape.id, 0}, size),
+                       {ConstraintKind::Distance, {nodeOf(shape, 0), nodeOf(shape, 1)}, size, "distance"},
+                       "Change length of slot", false);
     }
     ui::rowTooltip(context, "Distance between the centres of the two ends");
     slotWidthRow(context, shape);
@@ -183,7 +228,10 @@ void slotWidthRow(Shell &context, const Shape &slot) {
         Shape next = slot;
         next.as<SlotForm>().radius = 0.5 * width;
         next.cuts.clear();
-        context.applyCommand(replaceShape(*context.document.current(), std::move(next)), "Change width of slot");
+        constexpr std::uint32_t kEnd = 1; // a round segment
+        applyTypedSize(context, replaceShape(*context.document.current(), std::move(next)),
+                       {ConstraintKind::Diameter, {segmentOf(slot, kEnd)}, width, "width"}, "Change width of slot",
+                       false);
     }
 }
 
@@ -221,7 +269,7 @@ void roundedSegmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
     double side = across ? extent.x : extent.y;
     if (form::number(context, "inspector/length", across ? "Width" : "Height", side,
                      addressOf(shape, across ? Quantity::Width : Quantity::Height))) {
-        applyJoined(context, setSegmentLength(*context.document.current(), ref, side), "Change length");
+        putSide(context, shape, ref, side);
     }
 }
 
@@ -241,7 +289,9 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
         double radius = bend.value_or(0.0);
         if (bend && form::number(context, "inspector/arcradius", "Radius", radius,
                                  addressOf(shape, Quantity::ArcRadius, ref.segment))) {
-            context.applyCommand(setArcRadius(document, ref, radius), "Change radius");
+            applyTypedSize(context, setArcRadius(document, ref, radius),
+                           {ConstraintKind::Radius, {segmentOf(shape, ref.segment)}, radius, "radius"}, "Change radius",
+                           false);
         }
         ui::field(context, "Length", ui::grouped(curve.length()) + unitSuffix(document.unit), form::kLabel);
         return;
@@ -253,8 +303,15 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
         const Quantity number = !rectangle             ? Quantity::Length
                                 : ref.segment % 2 == 0 ? Quantity::Width
                                                        : Quantity::Height;
-        if (form::number(context, "inspector/length", "Length", size, addressOf(shape, number))) {
-            applyJoined(context, setSegmentLength(document, ref, size), "Change length");
+        if (!form::number(context, "inspector/length", "Length", size, addressOf(shape, number))) {
+            return;
+        }
+        if (rectangle) {
+            putSide(context, shape, ref, size);
+        } else {
+            applyTypedSize(context, setSegmentLength(document, ref, size),
+                           {ConstraintKind::Distance, {nodeOf(shape, 0), nodeOf(shape, 1)}, size, "length"},
+                           "Change length");
         }
         return;
     }
@@ -265,7 +322,13 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
         if (next) {
             next = followLength(*std::move(next), ref, formula);
         }
-        applyJoined(context, next, "Change length");
+        applyTypedSize(context, next,
+                       {ConstraintKind::Length,
+                        {segmentOf(shape, ref.segment)},
+                        size,
+                        "length",
+                        [&](Document held) { return followLength(std::move(held), ref, formula); }},
+                       "Change length");
         return;
     }
     drawFollowing(context, shape, static_cast<std::uint32_t>((ref.segment + 1) % handles.size()));

@@ -8,7 +8,6 @@
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
-#include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/number_field.hpp"
 #include "ui/workspace/typed_command.hpp"
 
@@ -103,7 +102,7 @@ class NodesPanel final : public Panel {
         }
         if (result.moved == 0) {
             context.log.announce("The nodes are where the table has them");
-        } else if (applyJoined(context, *std::move(result.next), "Place " + countText(result.moved, "node"))) {
+        } else if (applyTyped(context, *std::move(result.next), "Place " + countText(result.moved, "node"))) {
             context.log.announce("Placed " + countText(result.moved, "node"));
             context.view.reveal(boundsOf(*context.document.current(), context.selection));
         }

@@ -21,6 +21,8 @@ struct DimensionEntry {
     bool restore = false;                    ///< the field is to get its initial text back
     std::string fault;                       ///< why the text was refused
     bool edited = false;                     ///< the text was changed
+    /// Undo step that has just added the dimension, and that its value belongs to; empty: the dimension was there.
+    std::string stroke;
 
     /// Opens the field of a dimension, which must exist, with its expression or value.
     void open(const Document &document, std::uint64_t documentRevision, std::uint32_t id, Pixel place);

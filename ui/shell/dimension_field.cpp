@@ -1,3 +1,4 @@
+#include "core/drawing/commands/typed_size.hpp"
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
@@ -33,16 +34,6 @@ void refuseDimension(Shell &context, const Diagnostics &faults) {
     entry.fault = faults.front().message;
     context.widgets.fields.request("dimension/value");
     context.animate();
-}
-
-/// Returns the index of the parameter that alone sets a dimension and is a number itself, if there is one.
-std::optional<std::size_t> parameterBehind(const Document &document, std::uint32_t id) {
-    const auto formula = document.formulas.find({NumberOwner::ofConstraint(id), Quantity::Value});
-    const std::size_t index = formula == document.formulas.end() ? document.parameters.size()
-                                                                 : parameterIndex(document.parameters, formula->second);
-    return index < document.parameters.size() && parseNumber(document.parameters[index].expression)
-               ? std::optional(index)
-               : std::nullopt;
 }
 
 /// Gives the parameter behind a dimension the value that was typed: the link between them stays.
@@ -87,12 +78,13 @@ void finishDimension(Shell &context) {
         return;
     }
     next = setFormula(*std::move(next), address, usesNames(typed) ? typed : std::string());
-    const std::string label = "Change " + findConstraint(*document, id)->name;
+    const std::string label = (entry.stroke.empty() ? "Change " : "Add ") + findConstraint(*document, id)->name;
     if (const Result<Document> checked = applyFormulas(*next); !checked) {
         refuseDimension(context, checked.faults());
         return;
     }
-    if (context.applyCommand(std::move(next), label)) {
+    if (context.applyCommand(std::move(next), label, entry.stroke)) {
+        context.document.endStroke();
         entry.close();
         context.animate();
     }

@@ -58,6 +58,9 @@ void drawContextMenu(Shell &context);
 void drawNameField(Shell &context, const PixelRect &canvas);
 /// Draws the field on the canvas in which the value of a dimension is edited.
 void drawDimensionField(Shell &context, const PixelRect &canvas);
+/// Draws a button below what is wrong with a field, if a dimension holds the size that was typed there. It gives the
+/// dimension that size, or the parameter that the dimension follows.
+void drawFieldOffer(Shell &context);
 /// Draws an entry of a menu that runs an action. Its widget is PREFIX and the id of the action.
 void actionItem(Shell &context, const Action &action, std::string_view prefix = "menu/");
 /// Draws an entry of a menu that opens the submenu of an action.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/commands/typed_size.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "core/engine/base/result.hpp"
 #include "ui/background/background_list.hpp"
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace forefront {
@@ -36,6 +38,8 @@ struct FieldFault {
     bool note = false;          ///< the text is no fault, but a remark
     bool keepsText = false;     ///< the field goes on showing the refused text
     Selection selection{};      ///< at that time; fields show what is selected
+    /// A dimension that holds what was typed, and the value that would let it be so: see drawFieldOffer().
+    std::optional<DimensionChange> change{};
 };
 
 /// The open document with its view and selection, and everything computed from it.

@@ -76,6 +76,21 @@ Document movedBy(Document document, const Shapes &shapes, Vec2 by) {
     return document;
 }
 
+/// Returns a document with the places and forms that its shapes have in another one, so that nothing is left to be
+/// solved when the command is completed. All else is still to be carried from the document before the command.
+Document withPlacesOf(Document document, const Document &settled) {
+    for (auto &pointer : document.shapes) {
+        const Shape *const there = findShape(settled, pointer->id);
+        if (there != nullptr && (there->nodes != pointer->nodes || there->form != pointer->form)) {
+            Shape shape = *pointer;
+            shape.nodes = there->nodes;
+            shape.form = there->form;
+            pointer = std::make_shared<const Shape>(std::move(shape));
+        }
+    }
+    return document;
+}
+
 } // namespace
 
 Result<Document> fitMapped(const Document &before, Document mapped, const Shapes &shapes) {
@@ -85,13 +100,13 @@ Result<Document> fitMapped(const Document &before, Document mapped, const Shapes
     }
     const Result<Document> settled = completeCommand(before, mapped);
     if (settled && areMoved(mapped, *settled, shapes)) {
-        return mapped;
+        return withPlacesOf(std::move(mapped), *settled);
     }
     if (const std::optional<Vec2> by = wayToAnchor(mapped, shapes)) {
         Document moved = movedBy(mapped, shapes, *by);
         const Result<Document> there = completeCommand(before, moved);
         if (there && areMoved(moved, *there, shapes)) {
-            return moved;
+            return withPlacesOf(std::move(moved), *there);
         }
     }
     if (!settled) {

@@ -1,6 +1,6 @@
 #include "core/drawing/commands/insert_document.hpp"
 
-#include "core/drawing/commands/scale_document.hpp"
+#include "core/drawing/commands/convert_unit.hpp"
 #include "core/drawing/constraints/map_constraints.hpp"
 #include "core/drawing/formulas/bring_formulas.hpp"
 #include "core/drawing/formulas/formulas.hpp"
@@ -178,7 +178,7 @@ Document insertDrawing(const Document &document, const Document &other, double s
 
 Result<Document> insertCopied(const Document &document, const Document &copied, Vec2 step, Insertion *insertion) {
     const double scale = conversion(copied.unit, document.unit).value_or(1.0);
-    const Result<Document> converted = scale == 1.0 ? Result<Document>(copied) : scaleDocument(copied, {}, scale);
+    const Result<Document> converted = scale == 1.0 ? Result<Document>(copied) : convertUnit(copied, document.unit);
     if (!converted) {
         return converted;
     }

@@ -17,6 +17,8 @@ namespace forefront {
 void mapShape(Shape &shape, const PlaneMap &map);
 
 /// Maps everything selected: whole shapes, single handles, both ends of segments, sources with their radii, markers.
+/// Where a path is stretched along the axes and would lose constraints, its arcs of circles keep their radii if all
+/// constraints then hold: see stretchedWithArcs().
 Result<Document> transformSelection(const Document &document, const Selection &selection, const PlaneMap &map);
 
 /// Adds a copy of the selected shapes, sources and region markers under each map, in order. `copies`, if not null,

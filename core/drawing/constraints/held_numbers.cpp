@@ -8,9 +8,11 @@
 #include "core/drawing/sketch/judge_constraint.hpp"
 #include "core/engine/base/number_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -73,8 +75,8 @@ std::string textOf(const Document &document, const std::vector<MissedNumber> &mi
            (ofNode ? "node " + std::to_string(first.index + 1) : displayName(shape));
 }
 
-/// Returns the names of what a sketch has that its numbers cannot be as wanted with.
-std::string namesOf(const DocumentSketch &sketch, const std::vector<MissedNumber> &missed) {
+/// Returns the constraints and joints of a sketch that its numbers cannot be as wanted with.
+std::set<std::uint32_t> holding(const DocumentSketch &sketch, const std::vector<MissedNumber> &missed) {
     constexpr std::size_t kMostEquations = 250;
     if (sketch.system.equations.size() > kMostEquations) {
         return {};
@@ -85,8 +87,9 @@ std::string namesOf(const DocumentSketch &sketch, const std::vector<MissedNumber
         system.addEquation(makeValue(number.index, number.wanted), id);
     }
     const ConstraintJudgement judgement = judgeConstraint(system, id);
-    const std::set<std::uint32_t> with(judgement.with.begin(), judgement.with.end());
-    return judgement.verdict == ConstraintVerdict::Conflict ? relationNames(sketch, with) : std::string();
+    return judgement.verdict == ConstraintVerdict::Conflict
+               ? std::set<std::uint32_t>(judgement.with.begin(), judgement.with.end())
+               : std::set<std::uint32_t>();
 }
 
 } // namespace
@@ -100,7 +103,11 @@ std::optional<HeldNumbers> heldNumbers(const Document &before, const Document &w
     if (missed.empty()) {
         return std::nullopt;
     }
-    return HeldNumbers{textOf(before, missed), namesOf(sketch, missed)};
+    const std::set<std::uint32_t> by = holding(sketch, missed);
+    HeldNumbers held{textOf(before, missed), relationNames(sketch, by), {}};
+    std::copy_if(by.begin(), by.end(), std::back_inserter(held.ids),
+                 [&](std::uint32_t id) { return id < sketch.jointId(0); });
+    return held;
 }
 
 Diagnostics heldNumbersFault(const Document &before, const Document &wanted, const Document &settled) {
@@ -108,11 +115,13 @@ Diagnostics heldNumbersFault(const Document &before, const Document &wanted, con
     if (!held) {
         return {};
     }
-    return held->names.empty()
-               ? error("constraint-conflict", held->numbers + " cannot hold with the constraints",
-                       "enter another value, or remove constraints")
-               : error("constraint-conflict", held->numbers + " cannot hold together with " + held->names,
-                       "enter another value, or change or remove one of them");
+    Diagnostics faults = held->names.empty()
+                             ? error("constraint-conflict", held->numbers + " cannot hold with the constraints",
+                                     "enter another value, or remove constraints")
+                             : error("constraint-conflict", held->numbers + " cannot hold together with " + held->names,
+                                     "enter another value, or change or remove one of them");
+    faults.front().ids = held->ids;
+    return faults;
 }
 
 } // namespace forefront

@@ -153,7 +153,8 @@ void SelectTool::updateMove(Shell &context) {
     } else {
         snapped_ = snap(*startIndex_, query);
     }
-    Result<Document> next = moved(snapped_.at);
+    asked_ = snapped_.at;
+    Result<Document> next = moved(asked_);
     fault_.clear();
     if (next && !start_->constraints.empty()) {
         const Document wanted = *std::move(next);
@@ -239,6 +240,18 @@ void SelectTool::joinMoved(Shell &context) {
     }
 }
 
+void SelectTool::tellWhereHeld(Shell &context) const {
+    const Result<Document> wanted = moved(asked_);
+    if (!wanted || start_->constraints.empty()) {
+        return;
+    }
+    if (const std::optional<HeldNumbers> held = heldNumbers(*start_, *wanted, *context.document.current())) {
+        context.log.refuse(held->numbers + " cannot hold together with " +
+                           (held->names.empty() ? "the sketch constraints" : held->names) +
+                           "; what was moved is as near as they allow");
+    }
+}
+
 bool SelectTool::typedMove(const CanvasEvent &event, Shell &context) {
     if (mode_ != Mode::Moving) {
         return false;
@@ -250,6 +263,7 @@ bool SelectTool::typedMove(const CanvasEvent &event, Shell &context) {
     }
     updateMove(context);
     if (answer == NumericEntry::Answer::Place) {
+        tellWhereHeld(context);
         joinMoved(context);
         entry_.clear();
         mode_ = Mode::Idle; // the button is still down, but the move is over

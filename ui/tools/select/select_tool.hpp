@@ -97,6 +97,8 @@ class SelectTool final : public Tool {
     void addRelations(Shell &context);
     /// Joins what was dragged by a node to the segments on which its nodes now lie, as drawing does.
     void joinMoved(Shell &context);
+    /// Says what holds the numbers that were typed for a move, where what was moved is not as typed.
+    void tellWhereHeld(Shell &context) const;
     /// Handles numbers typed during a drag. Returns true if the event was used.
     bool typedMove(const CanvasEvent &event, Shell &context);
     void release(const CanvasEvent &event, Shell &context);
@@ -141,6 +143,7 @@ class SelectTool final : public Tool {
     CanvasEvent last_;        ///< of the drag
     NumericEntry entry_;
     Snapped snapped_;
+    Vec2 asked_; ///< place that the pointer or the typed numbers ask for, which constraints may not allow
     std::shared_ptr<const Document> start_; ///< document when the drag began
     std::shared_ptr<const PickIndex> startIndex_;
     std::shared_ptr<const Joints> startJoints_; ///< of start_, set while Moving
