@@ -162,7 +162,8 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
         repaired = std::move(*result);
         addLengths(domain, -1.0, changes);
         addLengths(repaired->domain, 1.0, changes);
-        carryElements(domain, *repaired, file->spacing);
+        printFaults(
+            allFormats().locateFaults(input.path, carryElements(domain, *repaired, file->spacing), input.options));
         domain = std::move(repaired->domain);
     }
     if (Diagnostics wrong = namePartsOf(arguments.drawing, input, true, domain); !wrong.empty()) {

@@ -6,7 +6,6 @@
 #include "app/batch/raster_option.hpp"
 #include "app/batch/rules_option.hpp"
 #include "core/drawing/document/document.hpp"
-#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
@@ -28,7 +27,11 @@ Result<ReadJob> readDomainOf(const Input &input, ImportNotes &notes) {
         if (!document) {
             return document.faults();
         }
-        return ReadJob{jobOf(*document),
+        Result<MeshingJob> job = readJobOf(*document, input.path.string(), &notes);
+        if (!job) {
+            return job.faults();
+        }
+        return ReadJob{*std::move(job),
                        boundsOf(*document),
                        document->picture,
                        document->limits,
@@ -170,7 +173,8 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
         printFaults(allFormats().locateFaults(input.path, notesWithPlaces(repaired->changes), input.options));
     }
     read.repaired = std::move(*repaired);
-    carryElements(job.domain, *read.repaired, job.spacing);
+    printFaults(
+        allFormats().locateFaults(input.path, carryElements(job.domain, *read.repaired, job.spacing), input.options));
     job.domain = std::move(read.repaired->domain);
     return {};
 }

@@ -4,7 +4,6 @@
 #include "app/batch/option_notes.hpp"
 #include "app/batch/rules_option.hpp"
 #include "core/drawing/document/document.hpp"
-#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
 
 #include <utility>
@@ -20,8 +19,12 @@ Result<MeshingJob> readJob(const RunArguments &arguments, const Input &input) {
     if (!document) {
         return document.faults();
     }
+    Result<MeshingJob> read = readJobOf(*document, input.path.string(), &notes);
     printNotes(notes, false);
-    MeshingJob job = jobOf(*document);
+    if (!read) {
+        return read;
+    }
+    MeshingJob &job = *read;
     const Diagnostics remarks = namePartsOf(arguments.drawing, input, false, job.domain);
     if (hasErrors(remarks)) {
         return remarks;
@@ -37,7 +40,7 @@ Result<MeshingJob> readJob(const RunArguments &arguments, const Input &input) {
     if (Diagnostics faults = applyRules(arguments.rules, job.options); !faults.empty()) {
         return faults;
     }
-    return job;
+    return read;
 }
 
 } // namespace

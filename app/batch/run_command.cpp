@@ -196,9 +196,10 @@ class ScriptRun {
     /// Returns the notes and warnings on the mesh, those of the command mesh.
     Diagnostics remarksOn(const MeshingJob &job) const {
         const RunReport report = reportOf(*meshed_, job.options);
-        Diagnostics remarks = meshed_->spacing->notes();
+        Diagnostics remarks = job.findings;
         for (const Diagnostics &more :
-             {violatedLimits(meshed_->mesh, player_.document().limits, meshed_->spacing.get()),
+             {meshed_->spacing->notes(),
+              violatedLimits(meshed_->mesh, player_.document().limits, meshed_->spacing.get()),
               largeElements(meshed_->mesh, job.domain, job.spacing.placed.regions), flatElements(report.quality),
               concavePlaces(report.quads), secondOrderNotes(report.order)}) {
             remarks.insert(remarks.end(), more.begin(), more.end());

@@ -7,6 +7,9 @@
 #include "core/files/format.hpp"
 #include "core/files/read_file.hpp"
 
+#include <string>
+#include <utility>
+
 namespace forefront {
 namespace {
 
@@ -40,6 +43,22 @@ Result<Document> documentFrom(const Format &format, const SourceText &source) {
 Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
     return readFile<Document>(
         allFormats(), path, options, notes, [](const Format &format) { return format.canReadDomain(); }, documentFrom);
+}
+
+Result<MeshingJob> readJobOf(const Document &document, const std::string &file, ImportNotes *notes) {
+    MeshingJob job = jobOf(document);
+    if (hasErrors(job.findings)) {
+        for (Diagnostic &fault : job.findings) {
+            fault.file = file;
+        }
+        return std::move(job.findings);
+    }
+    for (const Diagnostic &finding : std::exchange(job.findings, {})) {
+        if (notes != nullptr) {
+            notes->add(finding.code, finding.message, file, {}, 0, 1, finding.severity);
+        }
+    }
+    return job;
 }
 
 } // namespace forefront

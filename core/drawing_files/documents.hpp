@@ -2,8 +2,10 @@
 
 #include "core/drawing/document/document.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/mesher/options.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace FOREFRONT_API forefront {
 
@@ -11,5 +13,9 @@ namespace FOREFRONT_API forefront {
 /// of a mesh. Parameters and faults as for FormatList.
 Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options = {},
                               ImportNotes *notes = nullptr);
+
+/// Returns jobOf() a document from a file. Its findings go to `notes`, which may be null. Faults: the errors among
+/// them.
+Result<MeshingJob> readJobOf(const Document &document, const std::string &file, ImportNotes *notes);
 
 } // namespace forefront

@@ -1,6 +1,6 @@
 #include "core/drawing_files/drawing_formats.hpp"
 
-#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/dxf/dxf.hpp"
 #include "core/drawing_files/geojson/gdal_map.hpp"
 #include "core/drawing_files/geojson/geojson.hpp"
@@ -62,10 +62,13 @@ Result<DomainFile> readProjectDomain(const SourceText &source) {
     if (!document) {
         return document.faults();
     }
-    MeshingJob job = jobOf(*document);
-    return DomainFile{std::move(job.domain), std::move(job.spacing),  document->unit,
-                      std::move(job.cracks), std::move(job.periodic), std::move(job.mapped),
-                      std::move(job.strips), std::move(job.layers),   std::move(job.regionElements)};
+    Result<MeshingJob> job = readJobOf(*document, source.name, source.notes);
+    if (!job) {
+        return job.faults();
+    }
+    return DomainFile{std::move(job->domain), std::move(job->spacing),  document->unit,
+                      std::move(job->cracks), std::move(job->periodic), std::move(job->mapped),
+                      std::move(job->strips), std::move(job->layers),   std::move(job->regionElements)};
 }
 
 /// Returns the description of a map that the component forefront-gdal reads.

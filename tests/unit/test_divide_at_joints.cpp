@@ -48,14 +48,16 @@ TEST_CASE("Divide at joints: an end that lies on a side divides it, exactly or u
     }
 }
 
-TEST_CASE("Divide at joints: a node beyond rounding, one of the same shape and one near an end divide nothing") {
+TEST_CASE(
+    "Divide at joints: a node farther than the same place, one of the same shape and one at an end divide nothing") {
     const auto segmentsWith = [](Vec2 end) {
         return toDomain(
                    documentOf({square({0, 0}, 4), makeShape(ShapeKind::Polyline, {{1, 1}, end}, ShapeUse::Constraint)}))
             .segments.size();
     };
     CHECK(segmentsWith({4, 2}) == 6);
-    CHECK(segmentsWith({4 - 1e-8, 2}) == 5);
+    CHECK(segmentsWith({4 - 1e-8, 2}) == 6);
+    CHECK(segmentsWith({4 - 1e-5, 2}) == 5);
     CHECK(segmentsWith({4, 1e-10}) == 5);
     const Document folded = documentOf({makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 4}, {2, 0}})});
     CHECK(toDomain(folded).segments.size() == 4);
@@ -116,6 +118,23 @@ TEST_CASE("Divide at joints: the parts of a side with a number of elements share
     }
     document.elementCounts[7] = {.count = 2}; // cannot have two inner nodes
     CHECK_FALSE(meshDomain(jobOf(document)).ok());
+}
+
+TEST_CASE("Divide at joints: the parts of a side keep their numbers of elements where chords before it are halved") {
+    for (const double gap : {1e-2, 1e-4}) { // at the smaller one, the chords of the two circles are halved
+        CAPTURE(gap);
+        Document document = documentOf(
+            {makeShape(ShapeKind::Circle, {{5, 5}, {6, 5}}),
+             makeShape(ShapeKind::Circle, {{5, 5}, Vec2{5, 5} + (1.0 - gap) * Vec2{std::cos(0.03), std::sin(0.03)}}),
+             outlineWithTags({{-10, 0}, {-6, 0}, {-6, 2}, {-10, 2}}, {7, 1, 1, 1}),
+             makeShape(ShapeKind::Polyline, {{-9, 0}, {-9, 1}}, ShapeUse::Constraint)});
+        document.spacing.size = 1.0;
+        document.elementCounts[7] = {.count = 20};
+        const PlacedSizes placed = jobOf(document).spacing.placed;
+        CHECK(std::count(placed.elements.begin(), placed.elements.end(), 5U) == 1);
+        CHECK(std::count(placed.elements.begin(), placed.elements.end(), 15U) == 1);
+        CHECK(std::count(placed.elements.begin(), placed.elements.end(), 20U) == 0);
+    }
 }
 
 TEST_CASE("Divide at joints: what a constraint holds on a side is meshed after each drag") {

@@ -149,8 +149,12 @@ TEST_CASE("Element bias: a changed number keeps it, a size removes it, and a div
     CHECK(segmentSize(sized, {1, 0})->bias == ElementBias{});
     Document divided = *insertNode(document, {1, 0}, {2, 0});
     carrySegmentSizes(document, divided);
-    CHECK(segmentSize(divided, {1, 0})->bias.ratio == doctest::Approx(std::sqrt(8.0)));
-    CHECK(segmentSize(divided, {1, 1})->bias.ratio == doctest::Approx(std::sqrt(8.0)));
+    const SegmentSize first = *segmentSize(divided, {1, 0}), second = *segmentSize(divided, {1, 1});
+    CHECK(first.elements + second.elements == 10);
+    CHECK(first.elements > second.elements);
+    for (const SegmentSize &part : {first, second}) {
+        CHECK(part.bias.ratio == doctest::Approx(std::pow(8.0, (part.elements - 1.0) / 9.0)));
+    }
 }
 
 TEST_CASE("Element bias: a list of biases for another number of segments is refused") {

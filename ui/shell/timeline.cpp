@@ -1,3 +1,4 @@
+#include "core/engine/base/diagnostic.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/run_plot.hpp"
 #include "ui/shell/timeline_marks.hpp"
@@ -181,7 +182,7 @@ std::string stateText(const Shell &context) {
                    ? "A mesh of the rounds of Adapt, without its front; mesh the drawing to watch a front."
                    : "A mesh read from a file, unchanged; remesh its outline to watch the front.";
     }
-    if (atEnd && context.run.outOfDate() && !context.preview->faults.empty()) {
+    if (atEnd && context.run.outOfDate() && hasErrors(context.preview->faults)) {
         return faultText(context.preview->faults.front()); // the chip in the status bar says that it is out of date
     }
     if (atEnd && run.coarsening > 1.0) {

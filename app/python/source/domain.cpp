@@ -229,9 +229,10 @@ py::tuple repairDomain(const PythonDomain &self, double tolerance) {
     const Domain domain = self.domain; // another thread may change it meanwhile
     PythonDomain result = self;
     Repaired repaired = valueOrRaise(withoutGil([&] { return repair(domain, tolerance); }));
-    carryElements(domain, repaired, result.spacing);
+    Diagnostics changes = notesWithPlaces(repaired.changes);
+    const Diagnostics losses = carryElements(domain, repaired, result.spacing);
+    changes.insert(changes.end(), losses.begin(), losses.end());
     result.domain = std::move(repaired.domain);
-    const Diagnostics changes = notesWithPlaces(repaired.changes);
     result.notes.insert(result.notes.end(), changes.begin(), changes.end());
     return py::make_tuple(std::move(result), faultList(changes));
 }

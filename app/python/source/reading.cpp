@@ -187,10 +187,13 @@ Result<PythonDomain> readDomainFile(const PythonFile &file, ImportNotes &notes) 
         if (!document) {
             return document.faults();
         }
-        MeshingJob job = forefront::jobOf(*document);
-        PythonDomain domain{std::move(job.domain), std::move(job.spacing),  job.options,
-                            std::move(job.cracks), std::move(job.periodic), std::move(job.mapped),
-                            std::move(job.strips), std::move(job.layers),   std::move(job.regionElements)};
+        Result<MeshingJob> job = readJobOf(*document, file.path.string(), &notes);
+        if (!job) {
+            return job.faults();
+        }
+        PythonDomain domain{std::move(job->domain), std::move(job->spacing),  job->options,
+                            std::move(job->cracks), std::move(job->periodic), std::move(job->mapped),
+                            std::move(job->strips), std::move(job->layers),   std::move(job->regionElements)};
         domain.unit = document->unit;
         domain.limits = document->limits;
         return domain;

@@ -5,6 +5,7 @@
 #include "core/drawing/constraints/orient.hpp"
 #include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/shapes/references.hpp"
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/geometry/path_curve.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 class PathParts {
   public:
     PathParts(const Document &document, std::uint32_t shape)
-        : shape_(findShape(document, shape)), near_(1e-9 * drawingScale(document)) {}
+        : shape_(findShape(document, shape)), near_(samePlaceDistance(document)) {}
 
     std::optional<SketchPart> node(Vec2 at) const {
         for (std::uint32_t k = 0; shape_ != nullptr && isPath(*shape_) && k < shape_->nodes.size(); ++k) {

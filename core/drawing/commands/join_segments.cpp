@@ -1,6 +1,7 @@
 #include "core/drawing/commands/join_segments.hpp"
 
 #include "core/drawing/picking/pick_index.hpp"
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/geometry/box_tree.hpp"
@@ -80,7 +81,7 @@ Document withPaths(Document document, const std::vector<Meeting> &meetings) {
 
 Document joinToSegments(const Document &document, std::uint32_t id) {
     const Shape *shape = findShape(document, id);
-    const double reach = 1e-9 * boundsOf(document).diagonal();
+    const double reach = samePlaceDistance(document);
     if (shape == nullptr || isRound(*shape) || !(reach > 0.0)) {
         return document;
     }

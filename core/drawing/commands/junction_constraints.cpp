@@ -3,6 +3,7 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/constraints/orient.hpp"
 #include "core/drawing/shapes/references.hpp"
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ bool touchesParts(const std::set<SketchPart> &parts, const Shape &shape, std::ui
 
 Document constrainJunctions(const Document &before, const Document &after) {
     Document next = after;
-    const double near = 1e-9 * drawingScale(after);
+    const double near = samePlaceDistance(after);
     for (const auto &shape : after.shapes) {
         const Shape *const earlier = findShape(before, shape->id);
         const std::set<SketchPart> parts = constrainedParts(after, shape->id);

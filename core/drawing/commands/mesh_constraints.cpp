@@ -2,8 +2,8 @@
 
 #include "core/drawing/commands/join_segments.hpp"
 #include "core/drawing/picking/pick_index.hpp"
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
-#include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <memory>
 #include <utility>
@@ -11,7 +11,7 @@
 namespace forefront {
 
 Result<Document> pinNode(const Document &document, Vec2 at, std::int32_t tag) {
-    const double reach = 1e-9 * boundsOf(document).diagonal();
+    const double reach = samePlaceDistance(document);
     const PickIndex index(std::make_shared<const Document>(document));
     const auto hit = index.segment(at, reach, [](const Shape &) { return true; });
     if (hit && (distance(at, hit->a) <= reach || distance(at, hit->b) <= reach)) {

@@ -8,7 +8,7 @@ namespace forefront {
 // Commands that make a part of a mesh a constraint of the drawing, so that every later mesh has it too. Errors:
 // bad-number, bad-tag, not-possible (the place lies on a circle, or the drawing already has a node there).
 
-/// Pins a node: adds a constraint point with this tag, or a node to the segment that the place lies on (within 1e-9 of
+/// Pins a node: adds a constraint point with this tag, or a node to the segment that the place lies on (within 1e-6 of
 /// the drawing's size).
 Result<Document> pinNode(const Document &document, Vec2 at, std::int32_t tag);
 

@@ -5,6 +5,7 @@
 #include "core/drawing/domain/domain_shapes.hpp"
 #include "core/drawing/domain/domain_sources.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/base/ids.hpp"
@@ -164,8 +165,7 @@ class DrawingRepair {
     /// Gives the sizes at nodes of changed shapes to the nodes that these became: nodes of `made` or, where only shapes
     /// that stay have a node there, of these.
     void moveSizes(const Repaired &repaired, std::vector<Shape> &made, RepairedDrawing &result) const {
-        constexpr double kRounding = 1e-9; // relative to the size of the drawing
-        const double reach = kRounding * given_.bounds().diagonal();
+        const double reach = samePlaceDistance(document_);
         for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
             if (changed_[k] == 0 || document_.shapes[k]->nodeSizes.empty()) {
                 continue;

@@ -5,6 +5,7 @@
 #include "core/drawing/joints/joint_index.hpp"
 #include "core/drawing/shapes/curve_crossings.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/geometry/box_tree.hpp"
@@ -338,7 +339,7 @@ Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at) 
         return stretch.faults();
     }
     const std::vector<Vec2> places = placesOf(*path, *stretch);
-    const double touch = jointTolerance(document);
+    const double touch = samePlaceDistance(document);
     Result<Document> next = withoutStretch(document, *path, *stretch);
     if (next) {
         dropChangedLengths(document, *next, shape);

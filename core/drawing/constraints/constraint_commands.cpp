@@ -8,6 +8,7 @@
 #include "core/drawing/constraints/settle.hpp"
 #include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/shapes/references.hpp"
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/sketch/judge_constraint.hpp"
@@ -57,7 +58,7 @@ std::vector<SketchPart> jointOf(const Document &document, const SketchPart &firs
         const Shape *const shape = findShape(document, part.shape);
         return shape != nullptr && isPath(*shape) ? endsOf(document, part) : std::vector<SketchPart>();
     };
-    const double near = 1e-9 * boundsOf(document).diagonal();
+    const double near = samePlaceDistance(document);
     const std::vector<SketchPart> a = ends(first), b = ends(second);
     for (const SketchPart &p : a) {
         for (const SketchPart &q : b) {

@@ -4,6 +4,7 @@
 #include "core/drawing/constraints/joint_search.hpp"
 #include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/joints/joint_index.hpp"
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/sketch/equal_values.hpp"
 
@@ -162,7 +163,7 @@ void JointFinder::write() {
         return;
     }
     sketch_.system.firstJoint = sketch_.jointId(0);
-    JointWriter writer(sketch_, *source_.places, jointTolerance(*source_.places));
+    JointWriter writer(sketch_, *source_.places, samePlaceDistance(*source_.places));
     for (const auto &[node, other] : joints_) {
         writer.write(node, other);
     }

@@ -1,5 +1,6 @@
 #include "core/drawing/domain/divide_at_joints.hpp"
 
+#include "core/engine/domain/element_shares.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 namespace forefront {
 namespace {
 
-constexpr double kOnSegment = 1e-10; ///< distance within which a node lies on a segment, in diagonals of the domain
+constexpr double kExact = 1e-10;  ///< distance that rounding causes, in diagonals of the domain
+constexpr double kOnCurve = 1e-9; ///< distance within which a mesh follows a curve from node to node, likewise
 
 /// A node inside a segment.
 struct JointPlace {
@@ -23,13 +25,16 @@ struct JointPlace {
 class JointDivision {
   public:
     JointDivision(const Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
-                  std::span<const std::uint32_t> elements, const std::vector<bool> &whole)
+                  const SegmentElements &elements, const std::vector<bool> &whole, double tolerance)
         : domain_(domain), nodes_(nodes), shapes_(shapes), elements_(elements), whole_(whole),
-          tolerance_(kOnSegment * domain.bounds().diagonal()) {}
+          diagonal_(domain.bounds().diagonal()), tolerance_(std::max(tolerance, kOnCurve * diagonal_)) {}
 
     DividedSegments run() {
         find();
-        return divisions_.empty() ? DividedSegments{} : divide();
+        DividedSegments result = divisions_.empty() ? DividedSegments{} : divide();
+        result.farthest = farthest_;
+        result.beside = std::move(beside_);
+        return result;
     }
 
   private:
@@ -69,16 +74,30 @@ class JointDivision {
     /// Notes a node if it lies inside a segment.
     void test(std::uint32_t segment, std::uint32_t node) {
         const Vec2 a = start(segment), b = end(segment), p = domain_.nodes[node];
-        if (!(distance(p, a) > tolerance_) || !(distance(p, b) > tolerance_)) {
+        const double rounding = kExact * diagonal_;
+        if (!(distance(p, a) > rounding) || !(distance(p, b) > rounding)) {
             return;
         }
         const CurveStretch &part = stretch(segment);
         const Curve curve = part.follows() ? domain_.curves[part.curve] : Curve::line(a, b);
         const double t0 = part.follows() ? part.t0 : 0.0, t1 = part.follows() ? part.t1 : 1.0;
         const double t = curve.nearest(p, t0, t1);
-        if (distance(curve.point(t), p) <= tolerance_ && t != t0 && t != t1) {
-            divisions_.push_back({segment, node, t, (t - t0) / (t1 - t0)});
+        const double away = distance(curve.point(t), p);
+        if (!(away <= tolerance_)) {
+            return;
         }
+        if (part.follows() && away > kOnCurve * diagonal_) {
+            const auto isNode = [&](const NodeBesideCurve &other) { return other.node == node; };
+            if (t > 0.0 && t < 1.0 && std::none_of(beside_.begin(), beside_.end(), isNode)) {
+                beside_.push_back({segment, node, away});
+            }
+            return;
+        }
+        if (t == t0 || t == t1) {
+            return;
+        }
+        divisions_.push_back({segment, node, t, (t - t0) / (t1 - t0)});
+        farthest_ = std::max(farthest_, away);
     }
 
     DividedSegments divide() const {
@@ -94,15 +113,19 @@ class JointDivision {
     }
 
     void addParts(std::uint32_t s, std::span<const JointPlace> at, DividedSegments &result) const {
-        const std::vector<JointPlace> divisions = apart(s, at);
-        const std::uint32_t whole = elementsOf(s);
+        std::vector<JointPlace> divisions = apart(at);
+        std::vector<ElementShare> shares = sharesOf(s, divisions);
+        if (shares.size() > elementsOf(s) ||
+            std::any_of(shares.begin(), shares.end(), [](const ElementShare &share) { return !share.keepsBias; })) {
+            divisions.clear();
+            shares.clear();
+        }
         DomainSegment rest = domain_.segments[s];
-        std::uint32_t before = 0;
-        const auto add = [&](const DomainSegment &part, std::uint32_t after) {
+        const auto add = [&](const DomainSegment &part, std::size_t k) {
             result.segments.push_back(part);
             result.given.push_back(s);
-            result.elements.push_back(divisions.empty() ? 0 : after - before);
-            before = after;
+            result.elements.push_back(shares.empty() ? 0 : shares[k].elements);
+            result.biases.push_back(shares.empty() ? ElementBias{} : shares[k].bias);
         };
         for (std::size_t k = 0; k < divisions.size(); ++k) {
             DomainSegment part = rest;
@@ -110,50 +133,59 @@ class JointDivision {
             if (rest.stretch.follows()) {
                 part.stretch.t1 = rest.stretch.t0 = divisions[k].t;
             }
-            const auto left = static_cast<std::uint32_t>(divisions.size() - k);
-            const auto share = static_cast<std::uint32_t>(std::lround(whole * divisions[k].along));
-            add(part, whole == 0 ? 0 : std::clamp(share, before + 1, whole - left));
+            add(part, k);
         }
-        add(rest, whole);
+        add(rest, divisions.size());
     }
 
-    /// Returns the divisions of a segment without those at the place of another; none if it must stay whole.
-    std::vector<JointPlace> apart(std::uint32_t s, std::span<const JointPlace> at) const {
+    /// Returns the divisions of a segment without those at the place of another.
+    std::vector<JointPlace> apart(std::span<const JointPlace> at) const {
+        const double rounding = kExact * diagonal_;
         std::vector<JointPlace> kept;
         for (const JointPlace &division : at) {
             const bool first =
-                kept.empty() || distance(domain_.nodes[kept.back().node], domain_.nodes[division.node]) > tolerance_;
+                kept.empty() || distance(domain_.nodes[kept.back().node], domain_.nodes[division.node]) > rounding;
             if (first) {
                 kept.push_back(division);
             }
         }
-        const std::uint32_t whole = elementsOf(s);
-        if (whole != 0 && whole <= kept.size()) {
-            kept.clear();
-        }
         return kept;
     }
 
-    /// Returns the number of elements to share among the parts of a segment; those of a curve share by themselves.
-    std::uint32_t elementsOf(std::uint32_t s) const {
-        return stretch(s).follows() || elements_.empty() ? 0 : elements_[s];
+    /// Returns the elements along the parts of a segment with a number of them; none if it stays whole.
+    std::vector<ElementShare> sharesOf(std::uint32_t s, const std::vector<JointPlace> &divisions) const {
+        const std::uint32_t whole = elementsOf(s);
+        if (whole == 0 || divisions.empty()) {
+            return {};
+        }
+        std::vector<double> ends;
+        for (const JointPlace &division : divisions) {
+            ends.push_back(division.along);
+        }
+        ends.push_back(1.0);
+        return shareElements(whole, elements_.bias(s), ends);
     }
+
+    /// Returns the number of elements to share among the parts of a segment; those of a curve share by themselves.
+    std::uint32_t elementsOf(std::uint32_t s) const { return stretch(s).follows() ? 0 : elements_[s]; }
 
     const Domain &domain_;
     std::span<const JointNode> nodes_;
     std::span<const std::uint32_t> shapes_;
-    std::span<const std::uint32_t> elements_;
+    SegmentElements elements_;
     const std::vector<bool> &whole_;
-    double tolerance_;
+    double diagonal_, tolerance_;
     std::vector<JointPlace> divisions_;
+    std::vector<NodeBesideCurve> beside_;
+    double farthest_ = 0.0;
 };
 
 } // namespace
 
 DividedSegments divideAtJoints(const Domain &domain, std::span<const JointNode> nodes,
-                               std::span<const std::uint32_t> shapes, std::span<const std::uint32_t> elements,
-                               const std::vector<bool> &whole) {
-    return JointDivision(domain, nodes, shapes, elements, whole).run();
+                               std::span<const std::uint32_t> shapes, const SegmentElements &elements,
+                               const std::vector<bool> &whole, double tolerance) {
+    return JointDivision(domain, nodes, shapes, elements, whole, tolerance).run();
 }
 
 } // namespace forefront

@@ -1,5 +1,8 @@
 #include "core/drawing/domain/divide_joined.hpp"
 
+#include "core/drawing/domain/given_sizes.hpp"
+#include "core/drawing/domain/joint_notes.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -26,43 +29,57 @@ std::vector<SegmentRun> loopsIn(const DividedSegments &parts, std::vector<Segmen
 /// Takes the segments of a division, which the domain has already, with what belongs to them.
 void takeDivision(DrawnDomain &drawn, const DividedSegments &parts, const std::vector<SegmentRun> &loops) {
     drawn.loops = loops;
-    drawn.shares = parts.elements;
-    if (drawn.sources != nullptr) {
-        const std::vector<ShapeNode> old = std::exchange(drawn.sources->segments, {});
-        for (const std::uint32_t s : parts.given) {
-            drawn.sources->segments.push_back(old[s]);
+    if (drawn.sources == nullptr) {
+        return;
+    }
+    const std::vector<SegmentSource> old = std::exchange(drawn.sources->segments, {});
+    for (std::size_t s = 0; s < parts.given.size(); ++s) {
+        SegmentSource source = old[parts.given[s]];
+        if (parts.elements[s] > 0) {
+            source.elements = parts.elements[s];
+            source.bias = parts.biases[s];
         }
+        drawn.sources->segments.push_back(source);
     }
 }
 
-/// Returns the segments that must not be divided: parts of a line could not keep its bias.
-std::vector<bool> biasedLines(const DrawnDomain &drawn, const GivenSizes &given) {
-    std::vector<bool> whole(drawn.domain.segments.size(), false);
-    const std::vector<ElementBias> bias = given.biases(drawn);
-    for (std::size_t s = 0; s < bias.size(); ++s) {
-        whole[s] = bias[s].any() && !drawn.domain.segments[s].stretch.follows();
+/// Notes what was joined although it was drawn apart, and what was not. Call before the division is taken.
+void noteJoints(const Document &document, DrawnDomain &drawn, const DividedSegments &parts,
+                const std::vector<bool> &whole) {
+    const JointNotes notes(document, drawn.domain);
+    notes.joined(std::max(drawn.farthest, parts.farthest), drawn.findings);
+    for (const NodeBesideCurve &beside : parts.beside) {
+        notes.beside(beside, drawn.shapes[beside.segment], drawn.findings);
     }
-    return whole;
+    for (std::size_t s = 0; s < whole.size(); ++s) {
+        if (whole[s]) {
+            notes.along(drawn.shapes[s], drawn.findings);
+        }
+    }
 }
 
 } // namespace
 
-void divideJoined(DrawnDomain &drawn, const GivenSizes &given) {
+void divideJoined(const Document &document, DrawnDomain &drawn) {
     const std::vector<std::uint32_t> &shapes = drawn.shapes;
     if (shapes.empty() || (shapes.front() == shapes.back() && drawn.domain.points.empty())) {
         return; // one shape, which no other one divides
     }
-    const std::vector<std::uint32_t> counts = given.elements(drawn);
-    std::vector<bool> whole = biasedLines(drawn, given);
+    const std::vector<std::uint32_t> counts = elementsAlong(drawn);
+    const std::vector<ElementBias> ratios = biasesAlong(drawn);
+    std::vector<bool> whole(drawn.domain.segments.size(), false);
     for (int round = 0; round < kMaxDivisions; ++round) {
-        DividedSegments parts = divideAtJoints(drawn.domain, drawn.joints, shapes, counts, whole);
+        DividedSegments parts =
+            divideAtJoints(drawn.domain, drawn.joints, shapes, {counts, ratios}, whole, drawn.samePlace);
         if (parts.given.empty()) {
+            noteJoints(document, drawn, parts, whole);
             return;
         }
         const std::vector<SegmentRun> loops = loopsIn(parts, drawn.loops);
         drawn.domain.segments.swap(parts.segments);
-        const std::vector<std::uint32_t> twice = drawnTwice(drawn.domain, loops, parts.given);
+        const std::vector<std::uint32_t> twice = drawnTwice(drawn.domain, loops, parts.given, drawn.samePlace);
         if (twice.empty()) {
+            noteJoints(document, drawn, parts, whole);
             takeDivision(drawn, parts, loops);
             return;
         }

@@ -1,5 +1,6 @@
 #include "core/drawing/domain/draw_shapes.hpp"
 
+#include "core/drawing/domain/joined_places.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/domain/node_merger.hpp"
 
@@ -12,12 +13,14 @@ namespace {
 
 class ShapeDrawer {
   public:
-    ShapeDrawer(const Document &document, DrawnDomain &drawn, GivenSizes &given)
-        : document_(document), drawn_(drawn), given_(given), merger_(drawn.domain.nodes) {}
+    ShapeDrawer(const Document &document, DrawnDomain &drawn, const GivenSizes &given)
+        : document_(document), drawn_(drawn), given_(given), merger_(drawn.domain.nodes), places_(document) {
+        drawn.farthest = places_.farthest();
+    }
 
     void addPoint(const Shape &shape, std::uint32_t number) {
         for (std::uint32_t k = 0; k < shape.nodes.size(); ++k) {
-            const std::uint32_t node = addNode(shape.nodes[k], {number, k});
+            const std::uint32_t node = addNode(places_.of(shape.nodes[k]), {number, k});
             if (k == 0 && shape.use == ShapeUse::Constraint) {
                 drawn_.domain.points.push_back({node, shape.tag});
                 drawn_.joints.push_back({node, number});
@@ -29,9 +32,11 @@ class ShapeDrawer {
     }
 
     void addOutline(const Shape &shape, std::uint32_t number) {
-        const Outline outline = outlineOf(shape);
+        Outline outline = outlineOf(shape);
+        places_.apply(outline);
         const Chords chords = chordsOf(shape, outline, document_.circleTolerance);
-        given_.add(shape, number, outline);
+        const std::vector<SegmentSource> sources =
+            drawn_.sources != nullptr ? given_.sourcesOf(shape, number, outline) : std::vector<SegmentSource>();
         std::vector<std::uint32_t> ids;
         ids.reserve(chords.nodes.size());
         for (std::uint32_t k = 0; k < chords.nodes.size(); ++k) {
@@ -44,6 +49,9 @@ class ShapeDrawer {
         }
         for (std::size_t k = 0; k < chords.size(); ++k) {
             addChord(shape, number, outline, chords, k, ids);
+            if (drawn_.sources != nullptr) {
+                drawn_.sources->segments.push_back(sources[chords.segments[k]]);
+            }
         }
         if (!outline.closed && !ids.empty()) {
             drawn_.joints.push_back({ids.back(), number});
@@ -80,20 +88,18 @@ class ShapeDrawer {
         domain.segments.push_back(
             {ids[k], ids[k + 1 == ids.size() ? 0 : k + 1], segmentTag(shape, outline.part(segment)), role, stretch});
         drawn_.shapes.push_back(number);
-        if (drawn_.sources != nullptr) {
-            drawn_.sources->segments.push_back({number, segment});
-        }
     }
 
     const Document &document_;
     DrawnDomain &drawn_;
-    GivenSizes &given_;
+    const GivenSizes &given_;
     NodeMerger merger_;
+    JoinedPlaces places_;
 };
 
 } // namespace
 
-void drawShapes(const Document &document, DrawnDomain &drawn, GivenSizes &given) {
+void drawShapes(const Document &document, DrawnDomain &drawn, const GivenSizes &given) {
     ShapeDrawer drawer(document, drawn, given);
     for (std::uint32_t number = 0; number < document.shapes.size(); ++number) {
         const Shape &shape = *document.shapes[number];

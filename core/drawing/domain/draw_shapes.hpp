@@ -6,8 +6,8 @@
 
 namespace forefront {
 
-/// Adds the shapes of a document to an empty domain, each for itself: nodes at the same place become one, curves become
-/// chords. Notes in `given` what is given for their segments. Construction geometry is left out.
-void drawShapes(const Document &document, DrawnDomain &drawn, GivenSizes &given);
+/// Adds the shapes of a document to an empty domain, each for itself: nodes at the same place become one, see
+/// JoinedPlaces, and curves become chords. Construction geometry is left out.
+void drawShapes(const Document &document, DrawnDomain &drawn, const GivenSizes &given);
 
 } // namespace forefront

@@ -3,6 +3,7 @@
 #include "core/drawing/domain/divide_at_joints.hpp"
 #include "core/drawing/domain/domain_sources.hpp"
 #include "core/drawing/domain/neighbour_sides.hpp"
+#include "core/engine/base/diagnostic.hpp"
 #include "core/engine/domain/domain.hpp"
 
 #include <cstddef>
@@ -18,8 +19,10 @@ struct DrawnDomain {
     std::vector<SegmentRun> loops;     ///< of the closed shapes
     std::vector<JointNode> joints;     ///< nodes that shapes are held by
     std::vector<std::uint32_t> shapes; ///< per segment, as drawn: index into Document::shapes
-    std::vector<std::uint32_t> shares; ///< per segment: see DividedSegments::elements; may be shorter
     bool flattened = false;            ///< some chords were chosen regardless of what is near
+    double samePlace = 0.0;            ///< see samePlaceDistance()
+    double farthest = 0.0;             ///< greatest distance that a node was moved to a place of another
+    Diagnostics findings;              ///< what the user should know of how shapes meet; errors: two want different
 };
 
 /// Removes the items of a list that are marked; an empty list has none.

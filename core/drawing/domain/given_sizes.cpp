@@ -5,87 +5,59 @@
 #include <cstddef>
 
 namespace forefront {
+namespace {
+
+/// Returns one property of each segment; an empty list if no segment has it.
+template <class Value>
+std::vector<Value> listOf(const DrawnDomain &drawn, Value SegmentSource::*property, const Value &none) {
+    std::vector<Value> list;
+    for (std::size_t s = 0; drawn.sources != nullptr && s < drawn.sources->segments.size(); ++s) {
+        if (const Value &value = drawn.sources->segments[s].*property; !(value == none)) {
+            list.resize(drawn.sources->segments.size(), none);
+            list[s] = value;
+        }
+    }
+    return list;
+}
+
+} // namespace
 
 GivenSizes::GivenSizes(const Document &document)
-    : document_(document), counted_(countedParts(document)), any_(!counted_.empty() || hasSegmentSizes(document)) {}
+    : document_(document), counted_(countedParts(document)),
+      needsSources_(!counted_.empty() || hasSegmentSizes(document) || !document.layers.empty() ||
+                    !document.periodic.empty() || !document.cracks.empty() || !document.strips.empty()) {}
 
-void GivenSizes::add(const Shape &shape, std::uint32_t number, const Outline &outline) {
-    const std::vector<PartSize> parts = sizesOfParts(shape);
-    for (std::size_t segment = 0; !parts.empty() && segment < outline.segmentCount(); ++segment) {
-        sizes_[number].push_back(parts[outline.part(segment)]);
-    }
-    addCounts(shape, number, outline);
-}
-
-void GivenSizes::addCounts(const Shape &shape, std::uint32_t number, const Outline &outline) {
-    const std::vector<std::uint32_t> parts = elementsOfParts(document_, shape, counted_);
-    if (parts.empty()) {
-        return;
-    }
-    std::vector<std::uint32_t> &counts = counts_[number];
-    for (std::size_t segment = 0; segment < outline.segmentCount(); ++segment) {
-        const std::size_t part = outline.part(segment);
-        counts.push_back(part < parts.size() ? parts[part] : 0);
-        parts_[number].push_back(static_cast<std::uint32_t>(part));
-    }
-}
-
-std::uint32_t GivenSizes::elementsOf(const DrawnDomain &drawn, std::uint32_t segment) const {
-    if (segment < drawn.shares.size() && drawn.shares[segment] != 0) {
-        return drawn.shares[segment];
-    }
-    const auto [shape, part] = drawn.sources->segments[segment];
-    const auto found = counts_.find(shape);
-    return found != counts_.end() ? found->second[part] : 0;
-}
-
-ElementBias GivenSizes::biasOf(const DrawnDomain &drawn, std::uint32_t segment) const {
-    const auto [number, part] = drawn.sources->segments[segment];
-    const Shape &shape = *document_.shapes[number];
-    if (elementsOf(drawn, segment) == 0 || shape.segmentSizes.empty()) {
-        return {};
-    }
-    const auto own = shape.segmentSizes.find(parts_.at(number)[part]);
-    return own != shape.segmentSizes.end() ? own->second.bias : ElementBias{};
-}
-
-PartSize GivenSizes::sizeOf(const DrawnDomain &drawn, std::uint32_t segment) const {
-    const auto [shape, part] = drawn.sources->segments[segment];
-    const auto found = sizes_.find(shape);
-    return found != sizes_.end() ? found->second[part] : PartSize{0.0, 0.0};
-}
-
-std::vector<std::uint32_t> GivenSizes::elements(const DrawnDomain &drawn) const {
-    std::vector<std::uint32_t> list;
-    for (std::size_t s = 0; drawn.sources != nullptr && s < drawn.sources->segments.size(); ++s) {
-        if (const std::uint32_t count = elementsOf(drawn, static_cast<std::uint32_t>(s)); count > 0) {
-            list.resize(drawn.sources->segments.size());
-            list[s] = count;
+std::vector<SegmentSource> GivenSizes::sourcesOf(const Shape &shape, std::uint32_t number,
+                                                 const Outline &outline) const {
+    const std::vector<PartSize> sizes = sizesOfParts(shape);
+    const std::vector<std::uint32_t> elements = elementsOfParts(document_, shape, counted_);
+    std::vector<SegmentSource> sources;
+    for (std::uint32_t segment = 0; segment < outline.segmentCount(); ++segment) {
+        SegmentSource source{.shape = number, .node = segment};
+        const auto part = static_cast<std::uint32_t>(outline.part(segment));
+        if (part < sizes.size() && sizes[part].size > 0.0) {
+            source.size = sizes[part];
         }
+        source.elements = part < elements.size() ? elements[part] : 0;
+        const auto own = shape.segmentSizes.find(part);
+        if (source.elements > 0 && own != shape.segmentSizes.end()) {
+            source.bias = own->second.bias;
+        }
+        sources.push_back(source);
     }
-    return list;
+    return sources;
 }
 
-std::vector<ElementBias> GivenSizes::biases(const DrawnDomain &drawn) const {
-    std::vector<ElementBias> list;
-    for (std::size_t s = 0; drawn.sources != nullptr && s < drawn.sources->segments.size(); ++s) {
-        if (const ElementBias bias = biasOf(drawn, static_cast<std::uint32_t>(s)); bias.any()) {
-            list.resize(drawn.sources->segments.size());
-            list[s] = bias;
-        }
-    }
-    return list;
+std::vector<std::uint32_t> elementsAlong(const DrawnDomain &drawn) {
+    return listOf<std::uint32_t>(drawn, &SegmentSource::elements, 0);
 }
 
-std::vector<PartSize> GivenSizes::sizes(const DrawnDomain &drawn) const {
-    std::vector<PartSize> list;
-    for (std::size_t s = 0; drawn.sources != nullptr && s < drawn.sources->segments.size(); ++s) {
-        if (const PartSize size = sizeOf(drawn, static_cast<std::uint32_t>(s)); size.size > 0.0) {
-            list.resize(drawn.sources->segments.size(), PartSize{0.0, 0.0});
-            list[s] = size;
-        }
-    }
-    return list;
+std::vector<ElementBias> biasesAlong(const DrawnDomain &drawn) {
+    return listOf<ElementBias>(drawn, &SegmentSource::bias, {});
+}
+
+std::vector<PartSize> sizesAlong(const DrawnDomain &drawn) {
+    return listOf<PartSize>(drawn, &SegmentSource::size, SegmentSource{}.size);
 }
 
 } // namespace forefront

@@ -1,46 +1,16 @@
 #include "core/drawing/domain/join_neighbours.hpp"
 
+#include "core/drawing/domain/side_choice.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace forefront {
 namespace {
-
-/// Returns true if a line has layers, a periodic partner, a crack or a strip by its tag, and the line that would take
-/// its place has another tag.
-bool losesRole(const Document &document, const Domain &domain, SegmentRun kept, SegmentRun dropped) {
-    const std::int32_t tag = domain.segments[dropped.first].tag;
-    const auto ofTag = [tag](const auto &spec) { return spec.tag == tag; };
-    const auto &layers = document.layers;
-    const auto &periodic = document.periodic;
-    const auto &cracks = document.cracks;
-    const auto &strips = document.strips;
-    return tag != domain.segments[kept.first].tag &&
-           (std::any_of(layers.begin(), layers.end(), ofTag) || std::any_of(strips.begin(), strips.end(), ofTag) ||
-            std::find(cracks.begin(), cracks.end(), tag) != cracks.end() ||
-            std::any_of(periodic.begin(), periodic.end(),
-                        [tag](const PeriodicSpec &spec) { return spec.from == tag || spec.to == tag; }));
-}
-
-/// Returns true if the same sizes and numbers of elements are given along two lines. Else neither can do for both.
-bool haveSameSizes(const DrawnDomain &drawn, const GivenSizes &given, SegmentRun first, SegmentRun second) {
-    if (drawn.sources == nullptr) {
-        return true;
-    }
-    // A part of a curve has a share of the curve's number, which depends on the rest of it.
-    const auto isWhole = [&](SegmentRun run) {
-        const CurveStretch &start = drawn.domain.segments[run.first].stretch;
-        const CurveStretch &end = drawn.domain.segments[run.end - 1].stretch;
-        return !start.follows() || (start.t0 == 0.0 && end.t1 == 1.0);
-    };
-    const auto isBiased = [&](SegmentRun run) { return given.biasOf(drawn, run.first).any(); };
-    const std::uint32_t elements = given.elementsOf(drawn, first.first);
-    const bool counted = elements == 0 || (isWhole(first) && isWhole(second) && !isBiased(first) && !isBiased(second));
-    return counted && elements == given.elementsOf(drawn, second.first) &&
-           given.sizeOf(drawn, first.first) == given.sizeOf(drawn, second.first);
-}
 
 /// Removes those of some nodes that nothing refers to.
 void removeUnused(DrawnDomain &drawn, const std::vector<std::uint32_t> &nodes) {
@@ -80,7 +50,6 @@ void removeSegments(DrawnDomain &drawn, const std::vector<bool> &marked) {
         return;
     }
     eraseMarked(marked, drawn.domain.segments);
-    eraseMarked(marked, drawn.shares);
     if (drawn.sources != nullptr) {
         eraseMarked(marked, drawn.sources->segments);
     }
@@ -88,22 +57,33 @@ void removeSegments(DrawnDomain &drawn, const std::vector<bool> &marked) {
 
 } // namespace
 
-void joinNeighbours(const Document &document, DrawnDomain &drawn, const GivenSizes &given) {
+void joinNeighbours(const Document &document, DrawnDomain &drawn) {
     Domain &domain = drawn.domain;
     std::vector<bool> dropped;
-    std::vector<std::uint32_t> inner; // nodes of curves that are dropped
-    for (const NeighbourSide &side : neighbourSides(domain, drawn.loops)) {
-        if (!haveSameSizes(drawn, given, side.kept, side.dropped) ||
-            losesRole(document, domain, side.kept, side.dropped)) {
+    std::vector<std::uint32_t> inner;            // nodes of curves that are dropped
+    std::map<std::uint32_t, SegmentRun> holders; // what took the place of a kept line, by its first segment
+    for (NeighbourSide &side : neighbourSides(domain, drawn.loops, drawn.samePlace)) {
+        const auto holder = holders.find(side.kept.first);
+        side.kept = holder != holders.end() ? holder->second : side.kept;
+        const SideChoice choice = drawn.sources != nullptr ? chooseSide(document, domain, *drawn.sources, side)
+                                                           : SideChoice{.tag = domain.segments[side.kept.first].tag};
+        if (choice.conflict) {
+            drawn.findings.push_back(*choice.conflict);
             continue;
+        }
+        const SegmentRole role = side.within ? SegmentRole::Constraint : domain.segments[side.kept.first].role;
+        if (choice.dropped) {
+            holders[holder != holders.end() ? holder->first : side.kept.first] = side.dropped;
+            std::swap(side.kept, side.dropped);
         }
         dropped.resize(domain.segments.size(), false);
         std::fill(dropped.begin() + side.dropped.first, dropped.begin() + side.dropped.end, true);
         for (std::uint32_t s = side.dropped.first + 1; s < side.dropped.end; ++s) {
             inner.push_back(domain.segments[s].a);
         }
-        for (std::uint32_t s = side.kept.first; side.within && s < side.kept.end; ++s) {
-            domain.segments[s].role = SegmentRole::Constraint;
+        for (std::uint32_t s = side.kept.first; s < side.kept.end; ++s) {
+            domain.segments[s].role = role;
+            domain.segments[s].tag = choice.tag;
         }
     }
     removeSegments(drawn, dropped);

@@ -11,8 +11,6 @@
 namespace forefront {
 namespace {
 
-constexpr double kSameCurve = 1e-9; ///< greatest distance of curves that are the same, in diagonals of the domain
-
 /// A side of a loop: a straight segment, or the chords of a part of a curve, between nodes that loops share.
 struct LoopSide {
     std::uint32_t low = 0, high = 0; ///< nodes at its ends
@@ -29,8 +27,8 @@ struct LoopSide {
 
 class SideFinder {
   public:
-    SideFinder(const Domain &domain, std::span<const SegmentRun> loops)
-        : domain_(domain), loops_(loops), tolerance_(kSameCurve * domain.bounds().diagonal()) {}
+    SideFinder(const Domain &domain, std::span<const SegmentRun> loops, double tolerance)
+        : domain_(domain), loops_(loops), tolerance_(tolerance) {}
 
     std::vector<NeighbourSide> run() {
         findShared();
@@ -166,14 +164,14 @@ class SideFinder {
 
 } // namespace
 
-std::vector<NeighbourSide> neighbourSides(const Domain &domain, std::span<const SegmentRun> loops) {
-    return SideFinder(domain, loops).run();
+std::vector<NeighbourSide> neighbourSides(const Domain &domain, std::span<const SegmentRun> loops, double tolerance) {
+    return SideFinder(domain, loops, tolerance).run();
 }
 
 std::vector<std::uint32_t> drawnTwice(const Domain &domain, std::span<const SegmentRun> loops,
-                                      std::span<const std::uint32_t> given) {
+                                      std::span<const std::uint32_t> given, double tolerance) {
     std::vector<bool> dropped(domain.segments.size(), false);
-    for (const NeighbourSide &side : neighbourSides(domain, loops)) {
+    for (const NeighbourSide &side : neighbourSides(domain, loops, tolerance)) {
         std::fill(dropped.begin() + side.dropped.first, dropped.begin() + side.dropped.end, true);
     }
     std::vector<std::uint64_t> ends;

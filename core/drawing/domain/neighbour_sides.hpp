@@ -22,14 +22,14 @@ struct NeighbourSide {
 /// Returns the sides that closed shapes have in common, from node to node, where one line does for both: two boundaries
 /// with their areas on opposite sides; outlines of regions, beside or within each other; and the outline of a region
 /// along a boundary, which stays. What two boundaries trace on one side of both, or more than two, is left out. Curves
-/// are the same within 1e-9 of the domain's diagonal.
+/// are the same within `tolerance`.
 ///
 /// `loops`: the segments of each closed shape, in order; each has one role. In the order of the dropped segments.
-std::vector<NeighbourSide> neighbourSides(const Domain &domain, std::span<const SegmentRun> loops);
+std::vector<NeighbourSide> neighbourSides(const Domain &domain, std::span<const SegmentRun> loops, double tolerance);
 
 /// Returns the divided segments, by their indices in `given`, of which a part joins the same nodes as another segment
 /// although neighbourSides() does not make them one. `given`: see DividedSegments.
 std::vector<std::uint32_t> drawnTwice(const Domain &domain, std::span<const SegmentRun> loops,
-                                      std::span<const std::uint32_t> given);
+                                      std::span<const std::uint32_t> given, double tolerance);
 
 } // namespace forefront

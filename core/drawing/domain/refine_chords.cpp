@@ -96,7 +96,7 @@ void halve(Domain &domain, const std::vector<std::uint32_t> &chords, DomainSourc
             segment.a = half.b;
             domain.nodes.push_back(domain.curves[half.stretch.curve].point(middle));
             if (sources != nullptr) {
-                sources->nodes.push_back(sources->segments[s]);
+                sources->nodes.push_back(sources->segments[s].start());
             }
             segments.push_back(half);
             given.push_back(s);

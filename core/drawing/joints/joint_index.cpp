@@ -1,17 +1,12 @@
 #include "core/drawing/joints/joint_index.hpp"
 
+#include "core/drawing/shapes/same_place.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <algorithm>
 #include <limits>
 
 namespace forefront {
-
-double jointTolerance(const Document &document) {
-    const Box2 box = boundsOf(document);
-    constexpr double kWeld = 1e-6;
-    return document.shapes.empty() ? 0.0 : kWeld * length(box.size());
-}
 
 bool canJoin(const Shape &shape) {
     return isPath(shape) || shape.is<RectangleForm>() || shape.is<PointForm>();
@@ -51,7 +46,7 @@ JointIndex::JointIndex(const Document &document)
                             {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}}) {}
 
 JointIndex::JointIndex(const Document &document, const Box2 &within)
-    : document_(document), tolerance_(jointTolerance(document)) {
+    : document_(document), tolerance_(samePlaceDistance(document)) {
     const Box2 box = within.grown(tolerance_);
     for (std::size_t s = 0; s < document.shapes.size(); ++s) {
         const Shape &shape = *document.shapes[s];

@@ -24,9 +24,6 @@ struct JointSegment {
     Vec2 a, b;
 };
 
-/// Returns the tolerance within which places of a document are the same: 1e-6 of its diagonal.
-double jointTolerance(const Document &document);
-
 /// Returns true if the handles of a shape can be joined with others: those of paths, rectangles and points.
 bool canJoin(const Shape &shape);
 
@@ -44,7 +41,7 @@ class JointIndex {
     JointIndex(const Document &document, const Box2 &within);
 
     const Document &document() const { return document_; }
-    /// Returns the distance within which places are the same; see jointTolerance().
+    /// Returns the distance within which places are the same; see samePlaceDistance().
     double tolerance() const { return tolerance_; }
     /// Returns the segment that p lies inside of, the first in the document; null if there is none.
     template <class Admits>

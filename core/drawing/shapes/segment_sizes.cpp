@@ -4,6 +4,7 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/domain/element_places.hpp"
+#include "core/engine/domain/element_shares.hpp"
 #include "core/engine/spacing/spec/spec_check.hpp"
 
 #include <algorithm>
@@ -51,6 +52,16 @@ Result<Document> changeEachSegment(const Document &document, const Segments &seg
 std::uint32_t share(std::uint32_t elements, double part, double whole) {
     const double count = part < whole ? std::max(1.0, std::round(elements * (part / whole))) : elements;
     return static_cast<std::uint32_t>(count);
+}
+
+/// Leaves a size with a number of elements those of a part of its segment, between two fractions of the length.
+void takeShare(SegmentSize &size, double from, double to) {
+    constexpr double kRounding = 1e-9;
+    if (size.elements > 0 && to - from < 1.0 - kRounding) {
+        const ElementShare share = shareOfPart(size.elements, size.bias, std::max(from, 0.0), std::min(to, 1.0));
+        size.elements = share.elements;
+        size.bias = share.bias;
+    }
 }
 
 } // namespace
@@ -142,14 +153,16 @@ SizeMap sizesOfOutline(const Shape &shape) {
     }
     const Outline outline = outlineOf(shape);
     const std::vector<PartLength> parts = partLengths(shape);
+    std::map<std::size_t, double> ends; // by part: length of its segments so far
     for (std::uint32_t k = 0; k < outline.segmentCount(); ++k) {
         const auto found = shape.segmentSizes.find(outline.part(k));
         if (found != shape.segmentSizes.end() && outline.part(k) < parts.size()) {
             SegmentSize &size = sizes.emplace(k, found->second).first->second;
             if (size.elements > 0) {
-                const double part = outline.curve(k).length(), whole = parts[outline.part(k)].length;
-                size.elements = share(size.elements, part, whole);
-                size.bias = partOf(size.bias, part / whole);
+                const double whole = parts[outline.part(k)].length;
+                double &end = ends[outline.part(k)];
+                const double start = std::exchange(end, end + outline.curve(k).length());
+                takeShare(size, start / whole, end / whole);
             }
         }
     }
@@ -253,16 +266,17 @@ void addHeirs(const Shape &shape, std::size_t index, const SizedPlaces &places, 
     }
 }
 
-/// Returns the bias of a segment that takes the place of another one or a part of it; none for several.
-ElementBias inheritedBias(const Heir &heir, const SizedPlaces &places, double part) {
-    const SizedPlace &place = places[heir.from.front()];
-    if (heir.from.size() > 1 || place.curves.size() != 1) {
-        return {};
+/// Gives a segment that takes the place of a single one, or of a part of it, the elements there.
+void inheritElements(const Heir &heir, const Curve &old, bool divided, SegmentSize &size) {
+    if (divided) {
+        const double whole = old.length(), half = 0.5 * heir.length / whole;
+        const double middle = old.nearest(heir.curve.point(parameterAtLength(heir.curve, 0.5)));
+        const double at = old.length(0.0, middle) / whole;
+        takeShare(size, at - half, at + half);
     }
-    const Curve &old = place.curves.front();
-    const bool turned = old.nearest(heir.curve.point(0.25)) > old.nearest(heir.curve.point(0.75));
-    const ElementBias bias = partOf(place.size.bias, part);
-    return turned ? bias.reversed() : bias;
+    if (old.nearest(heir.curve.point(0.25)) > old.nearest(heir.curve.point(0.75))) {
+        size.bias = size.bias.reversed();
+    }
 }
 
 /// Returns the size of a segment that takes the place of others; none if these have nothing in common. `divided`: other
@@ -281,8 +295,13 @@ std::optional<SegmentSize> inherited(const Heir &heir, const SizedPlaces &places
         elements += place.size.elements;
         size.size = std::min(size.size, place.size.size);
     }
+    const SizedPlace &first = places[heir.from.front()];
+    if (counted && heir.from.size() == 1 && first.curves.size() == 1) {
+        inheritElements(heir, first.curves.front(), divided, size);
+        return size;
+    }
     size.elements = !counted ? 0 : divided ? share(elements, heir.length, length) : elements;
-    size.bias = inheritedBias(heir, places, divided ? heir.length / length : 1.0);
+    size.bias = {};
     return size;
 }
 

@@ -3,12 +3,16 @@
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/slot.hpp"
-#include "core/engine/domain/element_places.hpp"
+#include "core/engine/domain/element_shares.hpp"
 #include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -246,6 +250,36 @@ void scaleShape(Shape &shape, double factor) {
     }
 }
 
+namespace {
+
+/// Divides the size of a round shape among the segments of its outline.
+void divideSize(std::map<std::uint32_t, SegmentSize> &sizes, const Outline &outline) {
+    const SegmentSize whole = sizes.begin()->second;
+    const auto parts = static_cast<std::uint32_t>(outline.segmentCount());
+    std::vector<double> ends(parts, 0.0); // lengths up to the end of each segment
+    double length = 0.0;
+    for (std::uint32_t k = 0; k < parts; ++k) {
+        ends[k] = length += outline.curve(k).length();
+    }
+    for (double &end : ends) {
+        end /= length;
+    }
+    ends.back() = 1.0;
+    const bool biased = whole.elements > 0 && whole.bias.any() && length > 0.0;
+    const auto shares = biased ? shareElements(whole.elements, whole.bias, ends) : std::vector<ElementShare>();
+    for (std::uint32_t k = 0; k < parts; ++k) {
+        SegmentSize &size = sizes[k] = whole;
+        size.elements = (whole.elements + parts - 1 - k) / parts; // their sum is that of the whole
+        size.elements = whole.elements > 0 ? std::max(size.elements, 1U) : 0U;
+        if (biased) {
+            size.elements = shares[k].elements;
+            size.bias = shares[k].bias;
+        }
+    }
+}
+
+} // namespace
+
 void becomePath(Shape &shape) {
     if (isPath(shape) || shape.is<PointForm>()) {
         return;
@@ -273,14 +307,7 @@ void becomePath(Shape &shape) {
         shape.segmentTags = std::move(tags);
     }
     if (isRound(before) && !shape.segmentSizes.empty()) { // in parts of equal parameters, as the path has
-        const SegmentSize whole = shape.segmentSizes.begin()->second;
-        const auto parts = static_cast<std::uint32_t>(outline.segmentCount());
-        for (std::uint32_t k = 0; k < parts; ++k) {
-            SegmentSize &size = shape.segmentSizes[k] = whole;
-            size.elements = (whole.elements + parts - 1 - k) / parts; // their sum is that of the whole
-            size.elements = whole.elements > 0 ? std::max(size.elements, 1U) : 0U;
-            size.bias = partOf(whole.bias, 1.0 / parts);
-        }
+        divideSize(shape.segmentSizes, outline);
     } else {
         shape.segmentSizes = sizesOfOutline(before);
     }

@@ -128,8 +128,8 @@ class ProjectReader {
     void recordOrigins() {
         DomainSources sources;
         toDomain(document_, sources);
-        const auto record = [&](DomainPartKind kind, const std::vector<ShapeNode> &parts) {
-            for (const ShapeNode &part : parts) {
+        const auto record = [&](DomainPartKind kind, const auto &parts) {
+            for (const auto &part : parts) {
                 const std::vector<std::size_t> &offsets = offsets_[part.shape];
                 const Shape &shape = *document_.shapes[part.shape];
                 const bool listed = isPath(shape) || shape.is<PointForm>();

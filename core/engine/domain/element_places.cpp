@@ -36,10 +36,6 @@ double placeOfElement(const std::vector<double> &places, double elements) {
     return std::lerp(places[k], places[k + 1], elements - whole);
 }
 
-ElementBias partOf(const ElementBias &bias, double share) {
-    return share >= 1.0 ? bias : bias.bothEnds ? ElementBias{} : ElementBias{std::pow(bias.ratio, share), false};
-}
-
 double parameterAtLength(const Curve &curve, double fraction) {
     if (curve.kind() == CurveKind::Line || fraction <= 0.0 || fraction >= 1.0) {
         return std::clamp(fraction, 0.0, 1.0);

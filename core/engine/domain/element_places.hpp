@@ -19,10 +19,6 @@ double elementsBefore(const std::vector<double> &places, double fraction);
 /// Returns the fraction of the length before which there are so many elements: the inverse of elementsBefore().
 double placeOfElement(const std::vector<double> &places, double elements);
 
-/// Returns the bias of the elements along a part of a line with this fraction of its length: they change by about the
-/// same factors. A bias at both ends of a divided line is dropped.
-ElementBias partOf(const ElementBias &bias, double share);
-
 /// Returns the parameter of a curve before which there is this fraction of its length.
 double parameterAtLength(const Curve &curve, double fraction);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/engine/base/diagnostic.hpp"
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/domain/mapped_spec.hpp"
@@ -112,6 +113,8 @@ struct MeshingJob {
     std::vector<StripSpec> strips{};         ///< inner lines with a width, at most one specification for each
     /// Regions with other elements than MeshingOptions::elements, each once.
     std::vector<RegionElements> regionElements{};
+    /// What the maker of the job found, for the user: an error refuses the job, other findings change nothing.
+    Diagnostics findings{};
 
     /// Returns the number of threads that may work on this job: one if its size function must not be called from
     /// others.

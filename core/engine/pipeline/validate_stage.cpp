@@ -122,6 +122,9 @@ Status findPeriodic(MeshingState &state) {
 
 Status validateStage(MeshingState &state, const Progress &progress) {
     progress("validating", 0.0);
+    if (hasErrors(state.job.findings)) { // which the faults of the domain may follow from
+        return state.job.findings;
+    }
     if (Status faults = validateLeastAngle(state.job); !faults.empty()) {
         return faults;
     }

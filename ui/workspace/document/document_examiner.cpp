@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -72,6 +73,18 @@ double largestSpacingIn(const Domain &domain, const FaceMap &faces, const Spacin
     return rho.empty() ? 0.0 : *std::max_element(rho.begin(), rho.end());
 }
 
+/// Adds the findings of a job to the faults of its domain. An error among them replaces these, which may follow from
+/// it. A setting that is left out is no more than a note here: its part may have been deleted a moment ago.
+void addFindings(const Diagnostics &findings, Diagnostics &faults) {
+    if (hasErrors(findings)) {
+        faults.clear();
+    }
+    for (Diagnostic finding : findings) {
+        finding.severity = finding.severity == Severity::Error ? Severity::Error : Severity::Note;
+        faults.push_back(std::move(finding));
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Request &request, const std::stop_token &stop) {
@@ -90,6 +103,7 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Request &
     DomainFaces faces;
     preview->faults = validate(*domain, kMaxListedFaults, &faces);
     const bool valid = preview->faults.empty();
+    addFindings(job->findings, preview->faults);
     if (domain->segments.size() <= kMaxMapped || !domain->regionMarkers.empty()) {
         preview->faces = valid ? std::make_shared<const FaceMap>(domain, faces) : repairedFaceMap(*domain, stop);
     }

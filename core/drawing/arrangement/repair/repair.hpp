@@ -40,10 +40,11 @@ struct Repaired {
 ///   out-of-memory, cancelled.
 Result<Repaired> repair(const Domain &domain, double tolerance = 0.0, std::stop_token stop = {});
 
-/// Transfers the sizes and numbers of elements along segments from a domain to its repaired version: parts of a
-/// straight segment share its number by their lengths. All other sizes belong to tags or positions, which a repair does
-/// not change.
-void carryElements(const Domain &before, const Repaired &repaired, SpacingSpec &spacing);
+/// Transfers the sizes and numbers of elements along segments from a domain to its repaired version: each part of a
+/// straight segment has the elements that lie in it, about as long as they were. All other sizes belong to tags or
+/// positions, which a repair does not change. Returns a warning "lost-elements" for each segment whose number or bias
+/// its parts cannot keep; their `parts` are segments of `before`.
+Diagnostics carryElements(const Domain &before, const Repaired &repaired, SpacingSpec &spacing);
 
 /// Returns true if `repair` removes faults of this kind.
 bool repairable(const Diagnostic &fault);
