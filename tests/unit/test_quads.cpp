@@ -297,6 +297,19 @@ TEST_CASE("joinTriangles: two triangles at the ends of a strip become quadrilate
     CHECK(std::count_if(mesh.cells.begin(), mesh.cells.end(), isAlive) == 3);
 }
 
+TEST_CASE("joinTriangles: no way leads around the free end of an inner line, whose edges stay") {
+    // Two elements meet at the end of the line from (1, 0) to (0, 0): across the line, and across the side beyond it.
+    const std::vector<Vec2> nodes = {{0, 0}, {1, 0}, {-1, 0.3}, {0, -1}, {1, -1}};
+    const std::vector<QuadCell> cells = {{0, 1, 2, kNoIndex}, {0, 2, 3, 1}, {3, 4, 1, kNoIndex}};
+    const std::vector<std::array<std::uint32_t, 2>> tagged = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 1}};
+    const MeshingJob job = quadJob(polygon({nodes[2], nodes[3], nodes[4], nodes[1]}), "1");
+    const Result<PreparedJob> prepared = prepare(job);
+    REQUIRE(prepared);
+    QuadWorkspace mesh(nodes, cells, {}, tagged, {}, *prepared->spacing);
+    CHECK(joinTriangles(mesh) == 2);
+    CHECK(mesh.cells == cells);
+}
+
 TEST_CASE("quads: the bits of some meshes") {
     struct Pinned {
         const char *name;
