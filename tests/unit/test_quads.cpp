@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -281,6 +282,29 @@ TEST_CASE("quads: a cancelled session keeps the previous mesh") {
     CHECK(snapshot->state == RunState::Finished);
     CHECK(snapshot->shownRun == 1);
     CHECK(snapshot->meshHash == hash);
+}
+
+TEST_CASE("quads: no square opens over the end of a line just before its far side") {
+    // Over the long kept side of the hole, the end of the line is in neither of the triangles of that side and a new
+    // corner, and not near either corner.
+    MeshingJob job = quadJob(polygon({{0, 0}, {8, 0}, {8, 4}, {0, 4}}), "1.234375");
+    addLoop(job.domain, {{5.6671875, 2.890625}, {4.76015625, 3.4143}, {4.76015625, 2.36695}}, 7);
+    const auto addLine = [&](std::int32_t tag, std::initializer_list<Vec2> places) {
+        for (const Vec2 at : places) {
+            const auto node = static_cast<std::uint32_t>(job.domain.nodes.size());
+            if (at != *places.begin()) {
+                job.domain.segments.push_back({node - 1, node, tag, SegmentRole::Constraint});
+            }
+            job.domain.nodes.push_back(at);
+        }
+    };
+    addLine(5, {{7.4375, 2.4375}, {6.25, 1.40625}, {6.46875, 3.78125}});
+    addLine(6, {{4.21875, 2.796875}, {2.125, 0.921875}, {1.25, 0.34375}, {5.46875, 1.140625}});
+    job.layers.push_back({.tag = 5, .first = 0.077});
+    job.spacing.partSizes[7] = {.size = 0.1940625};
+    job.options.keepBoundary = true;
+    const MeshingOutcome outcome = meshedJob(job);
+    CHECK(faultsOf(outcome.mesh, job.domain).empty());
 }
 
 TEST_CASE("joinTriangles: two triangles at the ends of a strip become quadrilaterals") {
