@@ -365,7 +365,7 @@ void addPartNameOption(CLI::App &app, std::vector<PartName> &parts) {
            "--name", read,
            "name the part of the boundary from the node nearest to the first place to the node nearest to the second, "
            "with the domain on the left; the same place twice: the whole loop. Of a map, the places are in its own "
-           "coordinates, longitude first, whatever --projection says. A line of the map on the edge of an area, within "
+           "coordinates, longitude first, also with --projection. A line of the map on the edge of an area, within "
            "--weld, also gives its name to that edge. Can be repeated")
         ->allow_extra_args(false)
         ->type_name("\"NAME:X1,Y1;X2,Y2\"");

@@ -244,8 +244,10 @@ int runConvert(const ConvertArguments &arguments) {
     }
     if (arguments.recombine && hasTriangles(read->mesh) && !elevations.empty()) {
         elevations.clear();
-        printFaults({noteOf("elevations", "the elevations of the file are left out, since recombining moves nodes; "
-                                          "give them with --elevation")});
+        if (!arguments.quiet) {
+            printFaults({noteOf("elevations", "the elevations of the file are left out, since recombining moves nodes; "
+                                              "give them with --elevation")});
+        }
     }
     Mesh mesh = std::move(read->mesh);
     if (mesh.elementCount() == 0) {

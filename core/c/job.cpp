@@ -1,4 +1,5 @@
 #include "core/c/handles.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/add_loop.hpp"
 #include "core/files/files.hpp"
 
@@ -56,8 +57,9 @@ forefront_status setNumber(forefront_context &context, Value &value, const char 
                            Number minimum) {
     const std::optional<Number> number = numberOf<Number>(text);
     if (!number || !(*number >= minimum)) {
-        return badArgument(context, std::string(name) + ": expected a number from " + std::to_string(minimum) +
-                                        " on, got '" + std::string(text) + "'");
+        return badArgument(context, std::string(name) + ": expected a number from " +
+                                        forefront::numberText(static_cast<double>(minimum), 6) + " on, got '" +
+                                        std::string(text) + "'");
     }
     value = *number;
     return FOREFRONT_OK;

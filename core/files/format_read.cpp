@@ -1,4 +1,5 @@
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/domain/coordinate_range.hpp"
 #include "core/engine/mesh/mesh_domain.hpp"
 #include "core/files/common/dropped_fields.hpp"
 #include "core/files/common/element_sizes.hpp"
@@ -49,16 +50,45 @@ void dropInfinite(NamedFields &fields) {
     }
 }
 
+bool withinRange(const Mesh &mesh) {
+    return std::none_of(mesh.nodes.begin(), mesh.nodes.end(), tooLarge);
+}
+Diagnostics outOfRange(const Mesh &mesh) {
+    const auto far = std::find_if(mesh.nodes.begin(), mesh.nodes.end(), tooLarge);
+    return error("out-of-range",
+                 "node " + std::to_string(far - mesh.nodes.begin() + 1) + " of the mesh, at " + placeText(*far) +
+                     ", has a coordinate beyond 1e60 in magnitude",
+                 "scale the mesh down");
+}
+
 bool readsDomain(const Format &format) {
     return format.canReadDomain();
+}
+
+/// Reads a mesh. Error: out-of-range, since areas of larger elements overflow.
+Result<Mesh> meshWithin(const Format &format, const SourceText &source) {
+    Result<Mesh> mesh = format.readMesh(source);
+    if (mesh && !withinRange(*mesh)) {
+        return outOfRange(*mesh);
+    }
+    return mesh;
+}
+
+/// Reads a mesh and its values. Error: out-of-range.
+Result<MeshFields> fieldsWithin(const Format &format, const SourceText &source) {
+    Result<MeshFields> file = format.readFields(source);
+    if (file && !withinRange(file->mesh)) {
+        return outOfRange(file->mesh);
+    }
+    return file;
 }
 
 /// Reads a mesh whose values are of no use, and notes which values there are.
 Result<Mesh> meshAlone(const Format &format, const SourceText &source) {
     if (format.readFields == nullptr) {
-        return format.readMesh(source);
+        return meshWithin(format, source);
     }
-    Result<MeshFields> file = format.readFields(source);
+    Result<MeshFields> file = fieldsWithin(format, source);
     if (!file) {
         return file.faults();
     }
@@ -146,7 +176,7 @@ Result<Mesh> FormatList::readMesh(const std::filesystem::path &path, const Impor
                                   ImportNotes *notes) const {
     return readFile<Mesh>(
         *this, path, options, notes, [](const Format &format) { return format.readMesh != nullptr; },
-        [](const Format &format, const SourceText &source) { return format.readMesh(source); });
+        [](const Format &format, const SourceText &source) { return meshWithin(format, source); });
 }
 
 Result<MeshFields> FormatList::readFields(const std::filesystem::path &path, const ImportOptions &options,
@@ -155,14 +185,14 @@ Result<MeshFields> FormatList::readFields(const std::filesystem::path &path, con
         *this, path, options, notes, [](const Format &format) { return format.readMesh != nullptr; },
         [](const Format &format, const SourceText &source) -> Result<MeshFields> {
             if (format.readFields != nullptr) {
-                Result<MeshFields> fields = format.readFields(source);
+                Result<MeshFields> fields = fieldsWithin(format, source);
                 if (fields) {
                     dropInfinite(fields->fields);
                     dropInfinite(fields->elementFields);
                 }
                 return fields;
             }
-            Result<Mesh> mesh = format.readMesh(source);
+            Result<Mesh> mesh = meshWithin(format, source);
             return mesh ? Result<MeshFields>(MeshFields{std::move(*mesh), {}, {}}) : mesh.faults();
         });
 }
@@ -172,7 +202,7 @@ Result<MeshField> FormatList::readField(const std::filesystem::path &path, std::
     return readFile<MeshField>(
         *this, path, options, notes, [](const Format &format) { return format.readFields != nullptr; },
         [name](const Format &format, const SourceText &source) -> Result<MeshField> {
-            Result<MeshFields> fields = format.readFields(source);
+            Result<MeshFields> fields = fieldsWithin(format, source);
             return fields ? meshWithField(std::move(*fields), name, source) : fields.faults();
         });
 }
@@ -186,7 +216,7 @@ Result<SpacingSpec> FormatList::readSpacing(const std::filesystem::path &path, c
             if (format.readSpacing != nullptr) {
                 return format.readSpacing(source);
             }
-            Result<Mesh> mesh = format.readMesh(source);
+            Result<Mesh> mesh = meshWithin(format, source);
             return mesh ? elementSizes(*mesh, source) : mesh.faults();
         });
 }

@@ -3,6 +3,7 @@
 #include "ui/background/background_task.hpp"
 #include "ui/background/file_watch.hpp"
 #include "ui/background/latest.hpp"
+#include "ui/dialogs/export_dialog.hpp"
 #include "ui/dialogs/thumbnails.hpp"
 #include "ui/workspace/mesh/mesh_judge.hpp"
 
@@ -15,6 +16,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -114,6 +116,36 @@ TEST_CASE("Background: activities are in the list of their window as long as the
         CHECK(list.atRest());
     }
     CHECK(list.size() == 0);
+}
+
+TEST_CASE("Background: a file is not watched where no thread can be started, and the next one tries again") {
+    BackgroundList list([] {});
+    bool starts = false;
+    FileWatch watch(list, [&starts](std::function<void()> run) {
+        if (!starts) {
+            throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+        }
+        return startThread(std::move(run));
+    });
+    watch.watch("first.json", {});
+    CHECK(watch.file().empty());
+    watch.lookNow();
+    CHECK_FALSE(watch.takeNews());
+    starts = true;
+    watch.watch("second.json", {});
+    CHECK(watch.file() == "second.json");
+}
+
+TEST_CASE("Background: a file that cannot be written for lack of memory is reported") {
+    Draughtsman driver;
+    const auto write = [](const Progress &) -> Diagnostics { throw std::bad_alloc(); };
+    bool written = false;
+    driver.context().dialogs.open(std::make_unique<WriteDialog>(driver.context().background, "part.msh", write,
+                                                                [&written](Shell &) { written = true; }));
+    driver.settle();
+    CHECK(driver.logHas("out-of-memory"));
+    CHECK_FALSE(written);
+    CHECK(driver.editor().settled());
 }
 
 TEST_CASE("Background: the window counts the workers of its dialogs, and rests when they do") {

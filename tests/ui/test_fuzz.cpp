@@ -1,11 +1,15 @@
+#include "core/drawing/constraints/sketch_state.hpp"
 #include "core/drawing/document/equality.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/platform/assets.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -16,6 +20,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::test;
@@ -259,32 +264,63 @@ void checkSound(Draughtsman &driver, Watch &watch) {
     Document held = document;
     pruneFormulas(held);
     REQUIRE(held.formulas == document.formulas);
+    const SketchState sketch = sketchState(document);
+    INFO("after the command \"" << driver.context().document.undoLabel() << "\"\n" << projectText(document));
+    REQUIRE(sketch.violated.empty());
 }
 
-/// Empties a document that has grown large: every step in it would take longer and try nothing new.
-void clearLarge(DocumentStore &store) {
+/// Goes back to the document that the test began with where random input has deleted most of it, or made it so large
+/// that every step takes longer and tries nothing new.
+void renew(DocumentStore &store, const Document &beginning) {
     constexpr std::size_t kMaxShapes = 40, kMaxNodes = 1000;
     const Document &document = *store.current();
     const std::size_t nodes =
         std::accumulate(document.shapes.begin(), document.shapes.end(), std::size_t{0},
                         [](std::size_t sum, const auto &shape) { return sum + shape->nodes.size(); });
-    if (document.shapes.size() > kMaxShapes || nodes > kMaxNodes) {
-        Document empty;
-        empty.nextId = document.nextId;
-        store.apply(std::move(empty), "Clear");
+    const bool large = document.shapes.size() > kMaxShapes || nodes > kMaxNodes;
+    const bool small = 2 * document.shapes.size() < beginning.shapes.size() ||
+                       2 * document.constraints.size() < beginning.constraints.size();
+    if (large || small) {
+        Document next = beginning;
+        next.nextId = std::max(document.nextId, beginning.nextId);
+        store.replace(std::move(next), "Begin again");
     }
 }
 
-} // namespace
+/// Returns a map of 3 x 3 regions: borders with a node between them, which meet where three or four regions do.
+Document neighbours() {
+    std::vector<Shape> shapes;
+    const auto add = [&shapes](ShapeKind kind, std::vector<Vec2> nodes) {
+        Shape shape;
+        shape.form = formOf(kind);
+        shape.nodes = std::move(nodes);
+        shapes.push_back(std::move(shape));
+    };
+    const auto place = [](int i, int j) { return Vec2{i + 0.1 * ((i + 2 * j) % 3), j + 0.1 * ((2 * i + j) % 3)}; };
+    add(ShapeKind::Polygon, {place(0, 0), place(1, 0), place(2, 0), place(3, 0), place(3, 1), place(3, 2), place(3, 3),
+                             place(2, 3), place(1, 3), place(0, 3), place(0, 2), place(0, 1)});
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 1; j < 3; ++j) {
+            const Vec2 across = 0.5 * (place(i, j) + place(i + 1, j)), up = 0.5 * (place(j, i) + place(j, i + 1));
+            add(ShapeKind::Polyline, {place(i, j), across + Vec2{0.0, 0.05}, place(i + 1, j)});
+            add(ShapeKind::Polyline, {place(j, i), up + Vec2{0.05, 0.0}, place(j, i + 1)});
+        }
+    }
+    Document map = *addShapes({}, std::move(shapes));
+    for (int k = 0; k < 9; ++k) {
+        map.regionMarkers.push_back({{k % 3 + 0.5, k / 3 + 0.5}, k + 1});
+    }
+    return map;
+}
 
-// FOREFRONT_FUZZ_EVENTS and FOREFRONT_FUZZ_SEED choose more events, and others.
-TEST_CASE("Fuzz: random input leaves a valid document that can be undone to its start and redone") {
-    const TemporaryFolder folder;
-    Draughtsman driver({.settingsFolder = folder.path / "settings", .stateFolder = {}}, {800, 600});
-    driver.context().settings.recentFiles = {(folder.path / "none.forefront").string()}; // where dialogs begin
+/// Sends random input to a document that is open, then undoes and redoes all that it did.
+void attack(Draughtsman &driver) {
     const std::uint64_t events = setting("FOREFRONT_FUZZ_EVENTS", 2000);
     const std::uint64_t seed = setting("FOREFRONT_FUZZ_SEED", 7);
     CAPTURE(seed);
+    driver.context().snapping.infers = true;
+    const std::shared_ptr<const Document> beginning = driver.context().document.current();
+    REQUIRE(sketchState(*beginning).violated.empty());
     Hand hand(driver, seed);
     Watch watch(driver.context().document);
     std::uint64_t count = 0;
@@ -302,7 +338,7 @@ TEST_CASE("Fuzz: random input leaves a valid document that can be undone to its 
         }
         if (count % 500 == 0) {
             checkSound(driver, watch);
-            clearLarge(driver.context().document);
+            renew(driver.context().document, *beginning);
         }
         driver.context().quit = false;
     }
@@ -326,4 +362,41 @@ TEST_CASE("Fuzz: random input leaves a valid document that can be undone to its 
     }
     CHECK(sameContent(driver.document(), last));
     driver.frames(2);
+}
+
+/// An editor with an empty drawing and folders of its own.
+struct Attacked {
+    TemporaryFolder folder;
+    Draughtsman driver{{.settingsFolder = folder.path / "settings", .stateFolder = {}}, {800, 600}};
+
+    Attacked() { driver.context().settings.recentFiles = {(folder.path / "none.forefront").string()}; } // of dialogs
+    void open(Document document) {
+        driver.context().document.load(std::move(document), {});
+        driver.settle();
+        driver.key(key::kHome); // fits the view
+        driver.settle();
+    }
+};
+
+} // namespace
+
+// FOREFRONT_FUZZ_EVENTS and FOREFRONT_FUZZ_SEED choose more events, and others.
+TEST_CASE("Fuzz: random input leaves a valid document that can be undone to its start and redone") {
+    Attacked attacked;
+    attack(attacked.driver);
+}
+
+TEST_CASE("Fuzz: random input to a sketch leaves no constraint that does not hold") {
+    const Result<Document> bracket = readDocument(assetFolder() / "samples/bracket.json");
+    REQUIRE(bracket.ok());
+    REQUIRE(!bracket->constraints.empty());
+    Attacked attacked;
+    attacked.open(*bracket);
+    attack(attacked.driver);
+}
+
+TEST_CASE("Fuzz: random input to a map of neighbours leaves a valid document") {
+    Attacked attacked;
+    attacked.open(neighbours());
+    attack(attacked.driver);
 }

@@ -124,6 +124,16 @@ TEST_CASE("Rules: a run that rests in its course rests there again under other r
     REQUIRE(moment);
     CHECK(moment.advance->rules.base == BaseRule::Longest);
     CHECK_FALSE(driver.context().run.outOfDate());
+
+    Document guided = driver.document(); // what does not change the mesh leaves the run where it is
+    guided.guides.emplace_back();
+    guided.unit = LengthUnit::Metre;
+    driver.context().document.apply(std::move(guided), "Guide");
+    driver.settle();
+    driver.click("rules/base/Shortest");
+    driver.settle();
+    CHECK(driver.rules().base == BaseRule::Shortest);
+    CHECK(driver.run().advance == 20);
 }
 
 TEST_CASE("Rules: with the fast method the panel offers the classic one") {

@@ -449,9 +449,37 @@ TEST_CASE("DXF: faults name their line, and what to do") {
     CHECK(faultOf(groups("0 SECTION 2 ENTITIES 0 LINE 10 0 20 0")).message.find("does not end") != std::string::npos);
     CHECK(faultOf(drawing("0 SPLINE 71 3 10 0 20 0 10 1 20 1")).code == "bad-value");
     CHECK(faultOf(drawing("0 TEXT 1 x")).code == "empty-domain");
+    CHECK(faultOf(drawing("0 LINE 10 0 20 0 11 1")).message ==
+          "the LINE has no group 21, a coordinate; expected groups 10 and 20, 11 and 21");
+    CHECK(faultOf(drawing("0 CIRCLE 10 0 40 1")).message ==
+          "the CIRCLE has no group 20, a coordinate; expected groups 10 and 20");
     ImportNotes notes;
     pathsIn(section("ENTITIES", groups("0 CIRCLE 10 0 20 0 40 1")), &notes);
     CHECK(countOf(notes, "end mark EOF is missing") == 1);
+}
+
+TEST_CASE("DXF: units that this program does not know are named or said to be unknown") {
+    const auto notesOn = [](const std::string &unit) {
+        ImportNotes notes;
+        domainIn(drawing(kSquare, section("HEADER", groups("9 $INSUNITS 70 " + unit))), &notes);
+        return notes;
+    };
+    CHECK(countOf(notesOn("21"), "the coordinates are US survey feet") == 1);
+    CHECK(countOf(notesOn("99"), "the unit 99 of the coordinates ($INSUNITS) is not known") == 1);
+    CHECK(countOf(notesOn("0"), "coordinates") == 0);
+}
+
+TEST_CASE("DXF: a spline whose weights overflow is refused without being divided") {
+    const std::string spline =
+        "0 SPLINE 71 2 40 0 40 0 40 0 40 1 40 1 40 1 41 1 41 1e308 41 1e308 10 0 20 0 10 1e9 20 0 "
+        "10 1e9 20 1e9";
+    const std::string text = drawing(spline);
+    const SourceText source = sourceOf(text, "part.dxf");
+    const auto file = readDxfFile(source);
+    REQUIRE(file.ok());
+    const auto drawn = drawDxf(*file, source);
+    CHECK((!drawn.ok() || drawn->curves.size() == 1));
+    CHECK(!faultsIn(text).empty());
 }
 
 TEST_CASE("DXF: files are recognised by their content") {

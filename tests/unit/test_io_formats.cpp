@@ -446,3 +446,15 @@ TEST_CASE("NodeTable: finds dense and sparse numbers and reports duplicates") {
     CHECK(NodeTable().finish() == kNoIndex);
     CHECK(NodeTable().find(0) == kNoIndex);
 }
+
+TEST_CASE("Formats: a mesh whose areas would overflow is refused") {
+    ImportOptions options;
+    const std::string far = "v 0 0 0\nv 1e200 0 0\nv 0 1e200 0\nf 1 2 3\n";
+    options.content = std::make_shared<const std::string>(far);
+    const auto read = allFormats().readMesh("far.obj", options);
+    REQUIRE(!read);
+    CHECK(read.faults().front().code == "out-of-range");
+    CHECK(read.faults().front().message.starts_with("node 2 of the mesh"));
+    CHECK(!allFormats().readFields("far.obj", options));
+    CHECK(!allFormats().readDomain("far.obj", options));
+}

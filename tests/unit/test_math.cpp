@@ -41,6 +41,7 @@ constexpr MathSample kMathSamples[] = {
     {"x \\to \\infty", "x → ∞"},
     {"\\overline{AB}", "AB"},
     {"\\sin x + \\log(y)", "sin x + log(y)"},
+    {"\\sin -x", "sin −x"},
     {"\\max_k h_k", "max_k h_k"},
     {"\\left(\\frac{L}{\\rho}, \\frac{\\rho}{L}\\right)", "(L/ρ, ρ/L)"},
     {"\\left[x\\right| \\left. y \\right|", "[x|y|"},

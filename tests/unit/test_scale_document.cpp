@@ -1,4 +1,3 @@
-#include "core/drawing/commands/limit_fix.hpp"
 #include "core/drawing/commands/scale_document.hpp"
 #include "core/drawing/commands/scale_sizes.hpp"
 #include "core/drawing/formulas/document_numbers.hpp"
@@ -138,50 +137,4 @@ TEST_CASE("scaleSizes: sizes and their formulas take the factor; limits and numb
     CHECK(scaled.regionMarkers.front().size == 0.25);
     CHECK(scaled.regionMarkers.front().maxArea == 2.0);
     CHECK(scaled.elementCounts == document.elementCounts);
-}
-
-TEST_CASE("fixOf: a broken limit has a command that says what it changes, until its setting is at its end") {
-    Document document;
-    LimitVerdict growth{
-        .limit = MeshLimit::MaxGrowth, .bound = 2.0, .judged = 100, .broken = 3, .worst = 2.6, .places = {}};
-    const std::optional<LimitFix> gentler = fixOf(document, growth);
-    REQUIRE(gentler);
-    CHECK(gentler->change == "gradation auto \xe2\x86\x92 0.16");
-    CHECK(gentler->document.spacing.gradation == 0.16);
-    document.spacing.gradation = 0.02;
-    CHECK_FALSE(fixOf(document, growth));
-    growth.broken = 0;
-    CHECK_FALSE(fixOf(Document(), growth));
-
-    const auto fixed = [](const Document &from, MeshLimit limit, double bound, double worst) {
-        return fixOf(from, {.limit = limit, .bound = bound, .judged = 9, .broken = 1, .worst = worst, .places = {}});
-    };
-    CHECK(fixed({}, MeshLimit::MinAcross, 3.5, 1.0)->document.spacing.elementsAcross == 4.0);
-    CHECK(fixed({}, MeshLimit::MinLength, 1.0, 0.5)->document.spacing.minimum == 1.2);
-    CHECK(fixed({}, MeshLimit::MaxLength, 1.0, 2.0)->document.spacing.maximum == 0.9);
-    CHECK(fixed({}, MeshLimit::MinAngle, 25.0, 20.0)->document.options.leastAngle == 25.0);
-    CHECK(fixed({}, MeshLimit::MaxAngle, 130.0, 140.0)->document.options.leastAngle == 25.0);
-    CHECK(fixed({}, MeshLimit::MinAlpha, 0.6, 0.5)->document.options.improve == ImproveLevel::Best);
-    Document best;
-    best.options.improve = ImproveLevel::Best;
-    CHECK_FALSE(fixed(best, MeshLimit::MaxValence, 7.0, 8.0));
-    Document bounded;
-    bounded.spacing.maximum = 1.0;
-    CHECK_FALSE(fixed(bounded, MeshLimit::MinLength, 1.0, 0.5)); // a minimum above the maximum
-}
-
-TEST_CASE("makesWorse: a worst place far beyond the one before counts more than fewer violations") {
-    const auto angle = [](std::size_t broken, double worst) {
-        return LimitVerdict{
-            .limit = MeshLimit::MinAngle, .bound = 33.0, .judged = 100, .broken = broken, .worst = worst, .places = {}};
-    };
-    CHECK(makesWorse(angle(30, 28.2), angle(12, 0.16)));
-    CHECK_FALSE(makesWorse(angle(30, 28.2), angle(12, 28.2)));
-    CHECK_FALSE(makesWorse(angle(30, 28.2), angle(12, 27.0))); // hardly worse, but fewer
-    CHECK_FALSE(makesWorse(angle(30, 28.2), angle(0, 33.5)));
-    const LimitVerdict growth{
-        .limit = MeshLimit::MaxGrowth, .bound = 2.0, .judged = 100, .broken = 3, .worst = 2.6, .places = {}};
-    LimitVerdict farther = growth;
-    farther.worst = 2.9;
-    CHECK(makesWorse(growth, farther));
 }

@@ -1,6 +1,7 @@
 #include "ui/background/file_watch.hpp"
 
 #include <stop_token>
+#include <system_error>
 #include <utility>
 
 namespace forefront {
@@ -22,8 +23,13 @@ void FileWatch::watch(const std::filesystem::path &file, const FileStamp &known)
         shared_->changed.notify_all();
     }
     if (starts) {
-        thread_ = std::make_unique<LeavableThread>(
-            [shared = shared_](const std::stop_token &stop) { run(*shared, stop); }, LeavableThread::kPatience);
+        try {
+            thread_ = std::make_unique<LeavableThread>(
+                [shared = shared_](const std::stop_token &stop) { run(*shared, stop); }, LeavableThread::kPatience,
+                start_);
+        } catch (const std::system_error &) { // the next file tries again; until then, changes are not noticed
+            forget();
+        }
     }
 }
 

@@ -19,7 +19,9 @@ namespace forefront {
 /// be slow or no longer answer. Call all members from one thread; none of them waits.
 class FileWatch final : public BackgroundActivity {
   public:
-    explicit FileWatch(BackgroundList &list) : BackgroundActivity(list) {}
+    /// `start`: replaced by tests. If no thread can be started, nothing is watched.
+    explicit FileWatch(BackgroundList &list, ThreadStarter start = startThread)
+        : BackgroundActivity(list), start_(std::move(start)) {}
     ~FileWatch() override { forget(); }
 
     /// Watches `file`, which held `known` when it was last read or written, in place of the earlier one.
@@ -51,6 +53,7 @@ class FileWatch final : public BackgroundActivity {
     };
     static void run(Shared &shared, const std::stop_token &stop);
 
+    ThreadStarter start_;
     std::filesystem::path file_;
     std::shared_ptr<Shared> shared_;
     std::unique_ptr<LeavableThread> thread_; ///< null: nothing is watched

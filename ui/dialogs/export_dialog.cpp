@@ -3,6 +3,7 @@
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/letter_case.hpp"
+#include "core/engine/base/out_of_memory.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
 #include "ui/dialogs/file_commands.hpp"
@@ -36,7 +37,7 @@ WriteDialog::Written WriteDialog::answer(const LatestTurn<Write, Written> &turn)
             turn.publish(written);
         }
     };
-    written.result = turn.request(progress);
+    written.result = orOutOfMemory("to write the file", [&] { return turn.request(progress); });
     return written;
 }
 

@@ -1,5 +1,6 @@
 #include "ui/dialogs/tables_dialog.hpp"
 
+#include "core/engine/base/out_of_memory.hpp"
 #include "core/files/files.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
@@ -130,7 +131,8 @@ TablesDialog::State TablesDialog::answer(const LatestTurn<Request, State> &turn)
         }
     };
     for (const TableCase &row : turn.request.rows) {
-        Result<RowFigures> figures = runTableRow(row, turn.request.grids, progress);
+        Result<RowFigures> figures =
+            orOutOfMemory("for this row", [&] { return runTableRow(row, turn.request.grids, progress); });
         if (!figures) {
             state.end = figures.faults();
             return state;

@@ -63,7 +63,7 @@ void drawFix(Shell &context, const LimitVerdict &verdict, const std::string &nam
     if (context.run.showsFile()) {
         return; // the mesh does not come from the drawing
     }
-    std::optional<LimitFix> fix = fixOf(*context.document.current(), verdict);
+    std::optional<LimitFix> fix = fixOf(*context.document.current(), verdict, context.judgement->of.spacing.get());
     if (!fix) {
         return;
     }
@@ -71,9 +71,8 @@ void drawFix(Shell &context, const LimitVerdict &verdict, const std::string &nam
     if (ui::link(context, name + "/fix", "Fix: " + fix->change)) {
         tryFix(context, verdict, *std::move(fix));
     }
-    ui::tooltip(context,
-                "Change this setting, and mesh again. Undo takes it back, and so does a mesh that violates the limit "
-                "farther.");
+    ui::tooltip(context, "Change this setting, and mesh again. Undo takes it back, and so does a mesh that is no "
+                         "better.");
 }
 
 void drawLimit(Shell &context, MeshLimit limit) {

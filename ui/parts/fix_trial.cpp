@@ -2,10 +2,9 @@
 
 #include "ui/parts/shell.hpp"
 
-#include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
-#include <vector>
 
 namespace forefront {
 
@@ -23,8 +22,8 @@ bool isJudged(const Shell &context) {
 
 void tryFix(Shell &context, const LimitVerdict &verdict, LimitFix fix) {
     if (context.applyCommand(std::move(fix.document), "Fix " + std::string(limitInfo(verdict.limit).name))) {
-        context.fixTrial =
-            FixTrial{verdict, context.run.now().mesh, std::move(fix.change), context.document.revision()};
+        context.fixTrial = FixTrial{context.judgement->verdicts, context.run.now().mesh, std::move(fix.change),
+                                    context.document.revision()};
     }
 }
 
@@ -40,14 +39,10 @@ void followFix(Shell &context) {
         return;
     }
     const FixTrial trial = *std::exchange(context.fixTrial, std::nullopt);
-    const std::vector<LimitVerdict> &verdicts = context.judgement->verdicts;
-    const auto after = std::find_if(verdicts.begin(), verdicts.end(),
-                                    [&](const LimitVerdict &v) { return v.limit == trial.before.limit; });
-    if (after != verdicts.end() && makesWorse(trial.before, *after)) {
+    const std::string why = whyNoBetter(trial.before, context.judgement->verdicts);
+    if (!why.empty()) {
         context.document.undo();
-        context.log.inform("Took back " + trial.change + ": the " + limitInfo(trial.before.limit).name + " became " +
-                           valueText(trial.before.limit, after->worst) + " instead of " +
-                           valueText(trial.before.limit, trial.before.worst));
+        context.log.inform("Took back " + trial.change + ": " + why);
         context.animate();
     }
 }

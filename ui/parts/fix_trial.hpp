@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -13,7 +14,7 @@ struct Shell;
 
 /// A fix of a limit that the next mesh will judge.
 struct FixTrial {
-    LimitVerdict before;                      ///< on the mesh without the fix
+    std::vector<LimitVerdict> before;         ///< on the mesh without the fix
     std::shared_ptr<const MeshSnapshot> mesh; ///< that mesh
     std::string change;                       ///< see LimitFix::change
     std::uint64_t revision = 0;               ///< of the document with the fix
@@ -21,7 +22,7 @@ struct FixTrial {
 
 /// Applies a fix of a violated limit.
 void tryFix(Shell &context, const LimitVerdict &verdict, LimitFix fix);
-/// Takes the fix back, and says so, if the mesh with it violates the limit farther. Called once per frame.
+/// Takes the fix back, and says why, if the mesh with it is no better: see whyNoBetter(). Called once per frame.
 void followFix(Shell &context);
 
 } // namespace forefront

@@ -277,8 +277,7 @@ Status roundRectangle(Shape &shape, double radius) {
     if (cornerRadius != 0.0) {
         return openShape(shape); // says why not
     }
-    const Vec2 size = boundsOf(shape).size();
-    const double limit = 0.5 * std::min(size.x, size.y);
+    const double limit = largestRounding(shape);
     if (radius > (1.0 + kCornerRounding) * limit) {
         return noRoom("a corner of " + displayName(shape));
     }

@@ -104,8 +104,6 @@ class JointMover {
             }
             collectSegments(*old, from, to);
         }
-        std::stable_sort(moved_.begin(), moved_.end(),
-                         [](const MovedPlace &a, const MovedPlace &b) { return a.from.x < b.from.x; });
     }
 
     void collectSegments(const Shape &shape, const std::vector<Vec2> &from, const std::vector<Vec2> &to) {
@@ -278,9 +276,9 @@ class JointMover {
     const JointIndex &index_;
     const Document &before_;
     Document document_;
-    std::set<NodeRef> given_;       ///< handles that the command has moved, without those that slide
-    std::set<NodeRef> turned_;      ///< see FollowedMove
-    std::vector<MovedPlace> moved_; ///< by x of `from`
+    std::set<NodeRef> given_;  ///< handles that the command has moved, without those that slide
+    std::set<NodeRef> turned_; ///< see FollowedMove
+    std::vector<MovedPlace> moved_;
     std::vector<MovedSegment> segments_;
     std::vector<std::vector<bool>> hasMoved_; ///< by position in before_ and handle; empty: none of the shape
 };

@@ -1,17 +1,19 @@
 #include "core/drawing/commands/limit_fix.hpp"
 
 #include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/engine/base/assert.hpp"
+#include "core/engine/base/note.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/refine/least_angle.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace forefront {
 namespace {
 
-constexpr double kDefaultGrowth = 0.25;    ///< gradation of most sizes where none is given
 constexpr double kGentlestFix = 0.02;      ///< gradation below which elements hardly grow at all
 constexpr double kMostAcross = 50.0;       ///< elements across narrow places
 constexpr double kMargin = 0.9;            ///< of a maximum size: single edges are longer than the spacing
@@ -28,9 +30,9 @@ std::optional<LimitFix> fixWith(Result<Document> next, std::string change) {
     return LimitFix{std::move(change), *std::move(next)};
 }
 
-std::optional<LimitFix> fixGrowth(const Document &document, const LimitVerdict &verdict) {
+/// `now`: the gradation in force, which may be gentler than the given one.
+std::optional<LimitFix> fixGrowth(const Document &document, const LimitVerdict &verdict, double now) {
     const std::optional<double> given = document.spacing.gradation;
-    const double now = given.value_or(kDefaultGrowth);
     if (now <= kGentlestFix) {
         return std::nullopt;
     }
@@ -90,15 +92,26 @@ std::optional<LimitFix> fixAngle(const Document &document, double angle) {
     return LimitFix{changeText("least angle", given, "none", angle), std::move(next)};
 }
 
+/// Returns true if the worst place of a limit is farther beyond it after a fix than before, by more than a tenth of the
+/// limit: such a fix is not worth fewer violations.
+bool makesWorse(const LimitVerdict &before, const LimitVerdict &after) {
+    constexpr double kNoticeable = 0.1;
+    const double limit = std::abs(before.bound);
+    return after.broken > 0 &&
+           std::abs(after.worst - after.bound) > std::abs(before.worst - before.bound) + kNoticeable * limit;
+}
+
 } // namespace
 
-std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verdict) {
+std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verdict, const SpacingField *spacing) {
     if (verdict.met() || verdict.broken == 0) {
         return std::nullopt;
     }
     switch (verdict.limit) {
     case MeshLimit::MaxGrowth:
-        return fixGrowth(document, verdict);
+        return fixGrowth(document, verdict,
+                         spacing != nullptr ? spacing->gradation()
+                                            : document.spacing.gradation.value_or(kDefaultGradation));
     case MeshLimit::MinAcross:
         return fixAcross(document, verdict);
     case MeshLimit::MinLength:
@@ -119,11 +132,24 @@ std::optional<LimitFix> fixOf(const Document &document, const LimitVerdict &verd
     }
 }
 
-bool makesWorse(const LimitVerdict &before, const LimitVerdict &after) {
-    constexpr double kNoticeable = 0.1;
-    const double limit = std::abs(before.bound);
-    return after.broken > 0 &&
-           std::abs(after.worst - after.bound) > std::abs(before.worst - before.bound) + kNoticeable * limit;
+std::size_t violations(std::span<const LimitVerdict> verdicts) {
+    return std::accumulate(verdicts.begin(), verdicts.end(), std::size_t{0},
+                           [](std::size_t sum, const LimitVerdict &verdict) { return sum + verdict.broken; });
+}
+
+std::string whyNoBetter(std::span<const LimitVerdict> before, std::span<const LimitVerdict> after) {
+    FOREFRONT_ASSERT(before.size() == after.size());
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        if (before[k].broken > 0 && makesWorse(before[k], after[k])) {
+            const MeshLimit limit = before[k].limit;
+            return std::string("the ") + limitInfo(limit).name + " became " + valueText(limit, after[k].worst) +
+                   " instead of " + valueText(limit, before[k].worst);
+        }
+    }
+    const std::size_t earlier = violations(before), now = violations(after);
+    return now < earlier    ? std::string()
+           : now == earlier ? countText(now, "place") + " violate" + (now == 1 ? "s" : "") + " a limit, as before"
+                            : countText(now, "place") + " violate a limit instead of " + std::to_string(earlier);
 }
 
 } // namespace forefront

@@ -6,7 +6,7 @@
 #include "core/engine/base/number_text.hpp"
 
 #include <cstddef>
-#include <numeric>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,24 +16,20 @@ namespace forefront {
 
 namespace {
 
-std::size_t violations(const std::vector<LimitVerdict> &verdicts) {
-    return std::accumulate(verdicts.begin(), verdicts.end(), std::size_t{0},
-                           [](std::size_t sum, const LimitVerdict &verdict) { return sum + verdict.broken; });
-}
-
-/// The part of a document that fixes change.
+/// Returns what fixes read and change, as a document without shapes.
 Document settingsOf(const MeshingJob &job) {
     Document document;
     document.spacing = job.spacing;
     document.options = job.options;
+    document.layers = job.layers;
     return document;
 }
 
 /// Applies the fix of each violated limit, one after the other. Returns what they change; empty: nothing helps.
-std::string applyFixes(const std::vector<LimitVerdict> &verdicts, Document &document) {
+std::string applyFixes(const std::vector<LimitVerdict> &verdicts, const SpacingField *spacing, Document &document) {
     std::string changes;
     for (const LimitVerdict &verdict : verdicts) {
-        if (std::optional<LimitFix> fix = fixOf(document, verdict)) {
+        if (std::optional<LimitFix> fix = fixOf(document, verdict, spacing)) {
             changes += (changes.empty() ? "" : ", ") + fix->change;
             document = std::move(fix->document);
         }
@@ -41,27 +37,24 @@ std::string applyFixes(const std::vector<LimitVerdict> &verdicts, Document &docu
     return changes;
 }
 
-/// Returns true if a limit that was violated is violated farther. Both are verdicts on the same limits.
-bool anyWorse(const std::vector<LimitVerdict> &before, const std::vector<LimitVerdict> &after) {
-    for (std::size_t k = 0; k < before.size(); ++k) {
-        if (before[k].broken > 0 && makesWorse(before[k], after[k])) {
-            return true;
-        }
-    }
-    return false;
+const char *adviceOn(MeshLimit limit, bool layered) {
+    const bool aspect = limit == MeshLimit::MaxAspect || limit == MeshLimit::MaxLayerAspect;
+    return limit == MeshLimit::MinIslandArea ? "islands belong to the outline: remove the small ones from the drawing"
+           : layered && aspect ? "the heights of boundary layers are given: make the first one higher, or limit their "
+                                 "aspect ratio apart "
+                                 "from that of the other elements"
+                               : "change the outline there, or the limit; a check of the mesh lists the places";
 }
 
 /// Notes the limits that are still violated and why nothing more is done about them.
-void noteWhatIsLeft(const std::vector<LimitVerdict> &verdicts, Diagnostics &remarks) {
+void noteWhatIsLeft(const std::vector<LimitVerdict> &verdicts, bool layered, Diagnostics &remarks) {
     for (const LimitVerdict &verdict : verdicts) {
         if (!verdict.met() && verdict.broken > 0) {
-            const bool islands = verdict.limit == MeshLimit::MinIslandArea;
-            remarks.push_back(
-                noteOf("not-fixed",
-                       std::string("no setting mends ") + limitInfo(verdict.limit).name + ' ' +
-                           valueText(verdict.limit, verdict.bound) + " at " + countText(verdict.broken, "place"),
-                       islands ? "islands belong to the outline: remove the small ones from the drawing"
-                               : "change the outline there, or the limit; a check of the mesh lists the places"));
+            remarks.push_back(noteOf("not-fixed",
+                                     std::string("no setting mends ") + limitInfo(verdict.limit).name + ' ' +
+                                         valueText(verdict.limit, verdict.bound) + " at " +
+                                         countText(verdict.broken, "place"),
+                                     adviceOn(verdict.limit, layered)));
         }
     }
 }
@@ -78,10 +71,11 @@ Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, con
         return checkLimits(outcome.mesh, limits, outcome.spacing.get(), 1);
     };
     std::vector<LimitVerdict> verdicts = judge(best.outcome), left = verdicts;
+    std::shared_ptr<const SpacingField> spacing = best.outcome.spacing;
     Document document = settingsOf(best.job);
     constexpr int kPatience = 3; // rounds without fewer violations
     for (int round = 0, idle = 0; round < kMaxFixRounds && idle < kPatience && violations(left) > 0; ++round) {
-        const std::string changes = applyFixes(verdicts, document);
+        const std::string changes = applyFixes(verdicts, spacing.get(), document);
         if (changes.empty()) {
             break;
         }
@@ -99,8 +93,9 @@ Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, con
             break;
         }
         verdicts = judge(*outcome);
+        spacing = outcome->spacing;
         const std::size_t before = violations(left), after = violations(verdicts);
-        const bool better = after < before && !anyWorse(left, verdicts);
+        const bool better = whyNoBetter(left, verdicts).empty();
         best.remarks.push_back(noteOf(
             "fixed", "fix: " + changes + ": " + std::to_string(before) + " violations, then " + std::to_string(after) +
                          ", " + std::to_string(best.outcome.mesh.elementCount()) + " elements, then " +
@@ -112,7 +107,7 @@ Result<FixedMesh> meshWithinLimits(MeshingJob job, const MeshLimits &limits, con
             left = verdicts;
         }
     }
-    noteWhatIsLeft(left, best.remarks);
+    noteWhatIsLeft(left, !best.job.layers.empty(), best.remarks);
     return best;
 }
 

@@ -1,6 +1,7 @@
 #include "core/drawing/commands/settle_command.hpp"
 
 #include "core/drawing/constraints/carry_constraints.hpp"
+#include "core/drawing/constraints/fit_roundings.hpp"
 #include "core/drawing/constraints/settle.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
@@ -14,13 +15,16 @@ Result<Document> settleCommand(const Document &before, Document next) {
     carryConstraints(before, next);
     carryFormulas(before, next);
     if (next.constraints.empty()) {
-        return next; // without a copy
+        return fitRoundings(before, std::move(next)); // without a copy
     }
     Result<Document> settled = settle(before, next);
-    if (settled && settled->shapes != next.shapes) {
+    if (!settled) {
+        return settled;
+    }
+    if (settled->shapes != next.shapes) {
         carryFormulas(next, *settled);
     }
-    return settled;
+    return fitRoundings(before, *std::move(settled));
 }
 
 Result<Document> completeCommand(const Document &before, Document next) {

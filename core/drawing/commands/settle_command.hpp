@@ -6,8 +6,8 @@
 namespace forefront {
 
 /// Completes a command on a document: its constraints and formulas follow changed shapes, numbers that were edited
-/// directly lose their formulas, and the constraints move what they must. Error: constraint-conflict, see settle(). For
-/// constraints that could not follow, see lostConstraints().
+/// directly lose their formulas, and the constraints move what they must. Errors: constraint-conflict, see settle();
+/// bad-radius, see fitRoundings(). For constraints that could not follow, see lostConstraints().
 Result<Document> settleCommand(const Document &before, Document next);
 
 /// Completes a command as settleCommand() does, after the sizes of segments have stayed at their places and divided

@@ -263,19 +263,6 @@ Result<Document> placeDimension(const Document &document, std::uint32_t id, std:
     return with(document, std::move(constraint));
 }
 
-Result<Document> renameConstraint(const Document &document, std::uint32_t id, std::string name) {
-    const SketchConstraint *const found = findConstraint(document, id);
-    if (found == nullptr) {
-        return noSuchConstraint();
-    }
-    if (name.empty()) {
-        return error("bad-constraint", "the name of a constraint is empty", "enter a name");
-    }
-    SketchConstraint constraint = *found;
-    constraint.name = std::move(name);
-    return with(document, std::move(constraint));
-}
-
 Document removeConstraints(const Document &document, const std::set<std::uint32_t> &ids) {
     Document next = document;
     std::erase_if(next.constraints, [&](const auto &constraint) { return ids.contains(constraint->id); });

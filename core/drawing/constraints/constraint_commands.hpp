@@ -40,7 +40,6 @@ Result<Document> setDimension(const Document &document, std::uint32_t id, double
 /// Places the text of a dimension, see SketchConstraint::label; none: beside what it measures. Nothing moves.
 Result<Document> placeDimension(const Document &document, std::uint32_t id, std::optional<Vec2> place);
 
-Result<Document> renameConstraint(const Document &document, std::uint32_t id, std::string name);
 /// Removes constraints and the formulas of their values; nothing moves.
 Document removeConstraints(const Document &document, const std::set<std::uint32_t> &ids);
 

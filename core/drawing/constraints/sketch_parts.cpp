@@ -114,39 +114,6 @@ std::optional<Vec2> placeOfPart(const Document &document, const SketchPart &part
     return Vec2{n[at], n[at + 1]};
 }
 
-std::string partName(const Document &document, const SketchPart &part) {
-    switch (part.kind) {
-    case SketchPartKind::Origin:
-        return "the origin";
-    case SketchPartKind::XAxis:
-        return "the x axis";
-    case SketchPartKind::YAxis:
-        return "the y axis";
-    default:
-        break;
-    }
-    const Shape *const shape = findShape(document, part.shape);
-    if (shape == nullptr || formOfPart(document, part) == PartForm::None) {
-        return toString(part);
-    }
-    switch (part.kind) {
-    case SketchPartKind::Node:
-        return isPath(*shape) || shape->is<RectangleForm>() ? nodeName(*shape, part.index)
-               : shape->is<PointForm>()                     ? displayName(*shape)
-               : shape->is<SlotForm>() ? "centre " + std::to_string(part.index + 1) + " of " + displayName(*shape)
-               : part.index == 0       ? "the centre of " + displayName(*shape)
-                                       : "axis " + std::to_string(part.index) + " of " + displayName(*shape);
-    case SketchPartKind::Segment:
-        return isRound(*shape) ? displayName(*shape) : segmentName(*shape, part.index);
-    case SketchPartKind::Centre:
-        return "the centre of " + segmentName(*shape, part.index);
-    default:
-        return (part.kind == SketchPartKind::StartControl ? "the first control point of "
-                                                          : "the second control point of ") +
-               segmentName(*shape, part.index);
-    }
-}
-
 std::string partsFault(const Document &document, ConstraintKind kind, std::span<const SketchPart> parts) {
     std::string pattern;
     for (const SketchPart &part : parts) {

@@ -26,9 +26,6 @@ PartForm formOfPart(const Document &document, const SketchPart &part);
 /// Returns the place of a part that is a point; none for others.
 std::optional<Vec2> placeOfPart(const Document &document, const SketchPart &part);
 
-/// Describes a part, such as "node 3 of polygon 1", "segment 2 of bracket", "circle 4" or "the x axis".
-std::string partName(const Document &document, const SketchPart &part);
-
 /// Returns why a constraint of a kind cannot have these parts; empty if it can. Every part must exist.
 std::string partsFault(const Document &document, ConstraintKind kind, std::span<const SketchPart> parts);
 

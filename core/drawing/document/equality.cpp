@@ -26,4 +26,14 @@ bool sameContent(const Document &a, const Document &b) {
            sameContent(a.spacing, b.spacing);
 }
 
+bool sameForMesher(const Document &a, const Document &b) {
+    Document other = a;
+    other.limits = b.limits;
+    other.picture = b.picture;
+    other.guides = b.guides;
+    other.unit = b.unit;
+    other.constraints = b.constraints;
+    return sameContent(other, b);
+}
+
 } // namespace forefront

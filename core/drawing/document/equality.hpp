@@ -14,4 +14,8 @@ bool sameConstraints(const Document &a, const Document &b);
 /// limits and background picture, regardless of where they are in memory; ignores `nextId`.
 bool sameContent(const Document &a, const Document &b);
 
+/// Returns true if two documents have the same mesh: they differ at most in limits, background picture, guides, unit
+/// and constraints. What constraints move is in the shapes.
+bool sameForMesher(const Document &a, const Document &b);
+
 } // namespace forefront

@@ -76,11 +76,6 @@ std::vector<std::optional<double>> countableLengths(const Shape &shape) {
     return lengths;
 }
 
-std::optional<double> countableLength(const Shape &shape, std::uint32_t part) {
-    const std::vector<std::optional<double>> lengths = countableLengths(shape);
-    return part < lengths.size() ? lengths[part] : std::nullopt;
-}
-
 std::optional<std::uint32_t> elementCount(const Document &document, SegmentRef segment) {
     const Shape *const shape = findShape(document, segment.shape);
     if (shape == nullptr || segment.segment >= taggedSegments(*shape)) {

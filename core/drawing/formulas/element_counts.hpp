@@ -18,8 +18,6 @@ namespace forefront {
 /// Returns the lengths of the tagged parts of a shape (see taggedSegments()); nullopt for a part that is not a single
 /// line or curve, like the side of a rectangle with rounded corners: its elements cannot be counted.
 std::vector<std::optional<double>> countableLengths(const Shape &shape);
-/// Returns the length of one part.
-std::optional<double> countableLength(const Shape &shape, std::uint32_t part);
 
 /// Returns the number of elements of a segment, or else of the boundary part that it belongs to; nullopt if there is
 /// none.
@@ -27,7 +25,8 @@ std::optional<std::uint32_t> elementCount(const Document &document, SegmentRef s
 
 /// Gives each segment a number of elements, which overrides other sizes; nullopt removes the number, and a size of the
 /// segment. The growth stays; that of its boundary part is the first one. Tags do not change. Faults: no-such-segment;
-/// not-possible for a segment without a countableLength(); bad-number for a count of 0 or above kMaxElementCount.
+/// not-possible for a segment without a length, see countableLengths(); bad-number for a count of 0 or above
+/// kMaxElementCount.
 Result<Document> setElementCount(const Document &document, const std::set<SegmentRef> &segments,
                                  std::optional<std::uint32_t> count);
 

@@ -1,5 +1,6 @@
 #include "core/drawing/formulas/formulas.hpp"
 
+#include "core/drawing/constraints/fit_roundings.hpp"
 #include "core/drawing/constraints/settle.hpp"
 #include "core/drawing/formulas/bring_formulas.hpp"
 #include "core/drawing/formulas/document_numbers.hpp"
@@ -163,7 +164,7 @@ Result<Document> settledAfter(const Document &before, const Document &next, Numb
                                 : "remove it, or a constraint of " + numberName(next, address));
         }
     }
-    return settled;
+    return settled ? fitRoundings(before, *std::move(settled)) : settled;
 }
 
 } // namespace

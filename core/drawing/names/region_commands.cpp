@@ -125,12 +125,6 @@ Result<Document> setRegionName(const Document &document, std::int32_t tag, std::
     return next;
 }
 
-Document setOptions(const Document &document, MeshingOptions options) {
-    Document next = document;
-    next.options = options;
-    return next;
-}
-
 Result<Document> setCircleTolerance(const Document &document, double tolerance) {
     if (!(tolerance > 0.0 && tolerance <= 0.5)) {
         return error("bad-tolerance", "invalid circle tolerance; expected a number above 0 and at most 0.5");

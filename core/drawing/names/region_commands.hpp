@@ -25,7 +25,6 @@ Result<Document> removeRegionMarker(const Document &document, std::size_t index)
 Result<Document> setBoundaryName(const Document &document, std::int32_t tag, std::string name);
 Result<Document> setRegionName(const Document &document, std::int32_t tag, std::string name);
 
-Document setOptions(const Document &document, MeshingOptions options);
 /// Sets the tolerance of circles, in (0, 0.5], relative to the radius.
 Result<Document> setCircleTolerance(const Document &document, double tolerance);
 

@@ -153,13 +153,15 @@ void RecoveryJournal::write(const Entry &entry) {
         }
         return;
     }
-    std::string text;
     try {
-        text = serialise_(*entry.document());
-    } catch (const std::exception &exception) {
+        writeText(entry, serialise_(*entry.document()));
+    } catch (const std::exception &exception) { // such as one for lack of memory
+        hasText_ = false;                       // a later entry is written whole
         fail(exception.what());
-        return;
     }
+}
+
+void RecoveryJournal::writeText(const Entry &entry, std::string text) {
     std::string bytes;
     if (!hasText_ || entry.place != place_) {
         bytes += placeRecords(entry.place);

@@ -67,6 +67,7 @@ class RecoveryJournal {
     void work(const std::stop_token &stop);
     static std::string placeRecords(const Place &place);
     void write(const Entry &entry);
+    void writeText(const Entry &entry, std::string text);
     bool create();
     bool append(const std::string &bytes);
     bool compact(const Entry &entry);

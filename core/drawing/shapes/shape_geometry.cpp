@@ -155,6 +155,11 @@ Box2 boundsOf(const Shape &shape) {
         [&](const SlotForm &slot) { return boxOfNodes(shape, slot.radius); });
 }
 
+double largestRounding(const Shape &rectangle) {
+    const Vec2 size = boundsOf(rectangle).size();
+    return 0.5 * std::min(size.x, size.y);
+}
+
 Box2 boundsOf(const Document &document) {
     Box2 box;
     for (const auto &shape : document.shapes) {

@@ -91,6 +91,8 @@ bool isRound(const Shape &shape);
 bool isClosed(const Shape &shape);
 double circleRadius(const Shape &shape);
 Box2 boundsOf(const Shape &shape);
+/// Returns the largest radius that the corners of a rectangle can have: half of its shorter side.
+double largestRounding(const Shape &rectangle);
 /// Returns the box of the whole drawing; empty for an empty document.
 Box2 boundsOf(const Document &document);
 /// Returns true if p is inside by the even-odd rule, or on the outline up to rounding. Curves of paths count as their

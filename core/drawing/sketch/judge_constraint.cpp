@@ -141,9 +141,9 @@ class Judge {
     static Constraints thinned(Constraints set, const Constraints &all, const Claim &claim) {
         if (!claim(set)) {
             set = all;
-        }
-        if (!claim(set)) {
-            return set;
+            if (!claim(set)) {
+                return set;
+            }
         }
         // Halves first: a reason is mostly a small part of a large sketch. The last pass goes one by one.
         for (std::size_t chunk = std::max<std::size_t>(1, set.size() / 2);;) {

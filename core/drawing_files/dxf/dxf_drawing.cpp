@@ -166,6 +166,9 @@ class Drawer {
             source_.note("dxf-left-out", "entities in tilted planes are left out", entity.begin);
             return;
         }
+        if (!isComplete(entity)) {
+            return;
+        }
         std::vector<Curve> curves;
         bool closed = false, plane = true; // in coordinates of its own plane
         if (entity.type == "LINE") {
@@ -200,6 +203,25 @@ class Drawer {
             return;
         }
         add(curves, closed, plane ? map.after(*own) : map, entity.begin);
+    }
+
+    /// Returns false, and refuses the file, if an entity lacks a coordinate without which it would be elsewhere.
+    bool isComplete(const DxfEntity &entity) {
+        const std::string_view type = entity.type;
+        const bool line = type == "LINE", round = type == "CIRCLE" || type == "ARC" || type == "ELLIPSE";
+        if (!line && !round) {
+            return true;
+        }
+        for (const int code : {10, 20, 11, 21}) {
+            const bool needed = code % 10 == 0 || line || type == "ELLIPSE";
+            if (needed && !values_.has(code)) {
+                return faults_.fail(entity.begin, "bad-value",
+                                    "the " + std::string(type) + " has no group " + std::to_string(code) +
+                                        ", a coordinate; expected groups 10 and 20" +
+                                        (round && type != "ELLIPSE" ? "" : ", 11 and 21"));
+            }
+        }
+        return true;
     }
 
     std::vector<Curve> arc(const DxfEntity &entity, bool &closed) const {

@@ -111,10 +111,31 @@ class DxfReader {
 
     /// Returns the name of $INSUNITS; empty: none, or unknown.
     std::string unit() const {
-        constexpr const char *kUnits[] = {
-            "",           "inches",      "feet",        "miles",      "millimetres", "centimetres",
-            "metres",     "kilometres",  "microinches", "mils",       "yards",       "angstroms",
-            "nanometres", "micrometres", "decimetres",  "decametres", "hectometres", "gigametres"};
+        constexpr const char *kUnits[] = {"",
+                                          "inches",
+                                          "feet",
+                                          "miles",
+                                          "millimetres",
+                                          "centimetres",
+                                          "metres",
+                                          "kilometres",
+                                          "microinches",
+                                          "mils",
+                                          "yards",
+                                          "angstroms",
+                                          "nanometres",
+                                          "micrometres",
+                                          "decimetres",
+                                          "decametres",
+                                          "hectometres",
+                                          "gigametres",
+                                          "astronomical units",
+                                          "light years",
+                                          "parsecs",
+                                          "US survey feet",
+                                          "US survey inches",
+                                          "US survey yards",
+                                          "US survey miles"};
         return file_.units > 0 && file_.units < static_cast<int>(std::size(kUnits)) ? kUnits[file_.units] : "";
     }
 
@@ -141,6 +162,10 @@ class DxfReader {
         source_.reportContents(contents);
         if (!contents.unit.empty()) {
             source_.note("dxf-units", "the coordinates are " + contents.unit, file_.unitsOffset);
+        } else if (file_.units != 0) {
+            source_.note("dxf-units",
+                         "the unit " + std::to_string(file_.units) + " of the coordinates ($INSUNITS) is not known",
+                         file_.unitsOffset);
         }
     }
 

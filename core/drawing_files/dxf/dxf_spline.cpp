@@ -50,7 +50,9 @@ void appendCubics(const std::vector<Weighted> &points, double from, double to, d
     for (const double t : {0.2, 0.5, 0.8}) {
         near = near && distance(cubic.point(t), evaluate(points, from + t * (to - from)).at) <= error;
     }
-    if (near || halvings == kMaxHalvings) {
+    const bool lost =
+        !isFinite(a.at) || !isFinite(b.at); // halving leads nowhere; such curves are refused by the reader
+    if (near || lost || halvings == kMaxHalvings) {
         curves.push_back(cubic);
         return;
     }

@@ -17,6 +17,7 @@
 #include "core/drawing_files/project/project_spacing.hpp"
 #include "core/drawing_files/project/project_strips.hpp"
 #include "core/drawing_files/project/project_words.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/files/json/json_check.hpp"
 #include "core/files/json/json_outline.hpp"
 #include "core/files/rules/rules_json.hpp"
@@ -256,7 +257,21 @@ class ProjectReader {
             const double value = check_.notNegative(*radius, "the radius of a shape's corners");
             if (RectangleForm *const rectangle = std::get_if<RectangleForm>(&shape.form)) {
                 rectangle->radius = value;
+                noteLargeRadius(*radius, shape);
             }
+        }
+    }
+
+    /// Warns of corners that are drawn with another radius than the file gives.
+    void noteLargeRadius(const JsonValue &place, const Shape &rectangle) const {
+        const double radius = rectangle.as<RectangleForm>().radius;
+        if (rectangle.nodes.size() == 2 && radius > largestRounding(rectangle)) {
+            source_.warn("bad-radius",
+                         "the radius " + numberText(radius, 6) +
+                             " of the corners of a rectangle is more than half of its "
+                             "shorter side: drawn with " +
+                             numberText(largestRounding(rectangle), 6),
+                         place.offset());
         }
     }
 

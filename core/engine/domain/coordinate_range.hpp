@@ -2,6 +2,10 @@
 
 #include "core/engine/base/vec2.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace forefront {
 
 /// Maximum magnitude of a coordinate; beyond it, products of areas overflow.

@@ -161,7 +161,7 @@ Result<std::vector<BoundaryWalk::Step>> stretchOf(const PartName &part, const Bo
     }
     if (from == to && part.from != part.to) {
         return misplaced(part, "both nearest to the node " + placeText(walk.place(from)),
-                         "a part is named from node to node: put a node into the outline where it shall end, or give "
+                         "a part is named from node to node: put a node into the outline where it is to end, or give "
                          "the same place twice to name the whole loop");
     }
     std::vector<BoundaryWalk::Step> way = walk.between(from, to);

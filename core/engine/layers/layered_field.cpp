@@ -14,7 +14,7 @@ class LayeredField final : public SpacingField {
   public:
     LayeredField(std::shared_ptr<const SpacingField> others, SiteTree sites, const char *what)
         : others_(std::move(others)), sites_(std::move(sites)), what_(what) {
-        addNotes(others_->notes());
+        describeAs(*others_);
     }
 
     double at(Vec2 p) const override { return std::min(others_->at(p), sites_.at(p)); }

@@ -1,6 +1,7 @@
 #include "core/engine/mesh/verify_cells.hpp"
 
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/domain/coordinate_range.hpp"
 #include "core/engine/geometry/flat.hpp"
 #include "core/engine/geometry/predicates.hpp"
 #include "core/engine/mesh/jacobian.hpp"
@@ -159,6 +160,9 @@ void checkFinite(const NumberedMesh &named, FaultList &faults) {
     for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
         if (!isFinite(mesh.nodes[n])) {
             faults.add("non-finite", "node " + named.node(NodeId{n}) + " has a coordinate that is not finite",
+                       mesh.nodes[n], {n});
+        } else if (tooLarge(mesh.nodes[n])) {
+            faults.add("out-of-range", "node " + named.node(NodeId{n}) + " has a coordinate beyond 1e60 in magnitude",
                        mesh.nodes[n], {n});
         }
     }

@@ -57,7 +57,7 @@ Result<std::shared_ptr<const SpacingField>> KeptField::raise(std::shared_ptr<con
         return asked;
     }
     std::shared_ptr<KeptField> field(new KeptField(std::move(asked)));
-    field->addNotes(field->asked_->notes());
+    field->describeAs(*field->asked_);
     const double least = field->asked_->minimum();
     std::vector<Box2> boxes;
     const LongSegment *worst = &tooLong.front();

@@ -12,7 +12,6 @@
 namespace forefront {
 namespace {
 
-constexpr double kOwnGradation = 0.25;     ///< as for other paint, see SpacingSpec::gradation
 constexpr double kBeyond = 1e3;            ///< size where no rule is kept, in diagonals of the domain's box
 constexpr SpreadOptions kSpread{256, 4.0}; ///< as for the edges of paint: there are many, and meshes follow the brush
 
@@ -62,12 +61,12 @@ Result<std::shared_ptr<const SpacingField>> ReplacedField::build(const SpacingSp
         return paint.faults();
     }
     std::shared_ptr<ReplacedField> field(new ReplacedField(*std::move(paint)));
-    field->addNotes((*around)->notes());
+    field->describeAs(**around);
     field->others_ = *std::move(around);
     field->kept_ = *std::move(kept);
     field->largest_ = largestOf(spec.paint);
     field->farthest_ = beyond;
-    const double gradation = spec.gradation.value_or(kOwnGradation);
+    const double gradation = spec.gradation.value_or(kDefaultGradation);
     std::vector<SizeSite> sites;
     for (const PaintedPart::Border &border : PaintedPart::borderOf(spec.paint)) {
         const double rho = field->others_->at(border.at);

@@ -10,7 +10,7 @@ namespace {
 class ScaledField final : public SpacingField {
   public:
     ScaledField(std::shared_ptr<const SpacingField> field, double factor) : field_(std::move(field)), factor_(factor) {
-        addNotes(field_->notes());
+        describeAs(*field_);
     }
 
     double at(Vec2 p) const override { return factor_ * field_->at(p); }

@@ -18,8 +18,6 @@
 namespace forefront {
 namespace {
 
-/// Gradation of painted, boundary, region and automatic parts where none is given.
-constexpr double kDefaultGradation = 0.25;
 constexpr double kFarBeyond = 1e3;         ///< diagonals of the domain's box
 constexpr std::size_t kMaxLinearSites = 6; ///< up to this number, sites are evaluated one by one
 /// Above these numbers, speed counts more than accuracy.
@@ -90,6 +88,7 @@ class FieldBuilder {
         AutomaticSpacing automatic = automaticSpacing(
             input_.domain, faces_, spec_.placed.counts(), input_.box, input_.minimum, input_.gradation, largest,
             spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, !spec_.elementsAcross, input_.progress);
+        gradation_ = automatic.gradation;
         if (!background) {
             if (largest > automatic.maximum) { // a region that may be coarser is
                 regions->limitOthers(automatic.maximum, input_.gradation, parts_.few);
@@ -163,6 +162,8 @@ class FieldBuilder {
         }
         std::shared_ptr<SpacingField> field = assembled();
         field->addNotes(notes);
+        const bool steep = spec_.expression || spec_.hasFunction() || spec_.background;
+        field->setGradation(steep ? input_.steepest() : gradation_);
         return std::shared_ptr<const SpacingField>(std::move(field));
     }
     std::shared_ptr<SpacingField> assembled() {
@@ -185,6 +186,7 @@ class FieldBuilder {
     LazyFaces faces_;
     PartInput input_;
     FieldParts parts_;
+    double gradation_ = input_.gradation;
 };
 
 } // namespace

@@ -49,9 +49,21 @@ class SpacingField {
     /// mesh that covers only a part of it.
     const Diagnostics &notes() const { return notes_; }
     void addNotes(const Diagnostics &notes) { notes_.insert(notes_.end(), notes.begin(), notes.end()); }
+    /// Returns the maximum |∇ρ| of the parts without a growth of their own, > 0: the given one or, if it is absent, the
+    /// one chosen for these parts. See SpacingSpec::gradation.
+    double gradation() const { return gradation_; }
+    void setGradation(double gradation) { gradation_ = gradation; }
+
+  protected:
+    /// Takes the notes and the gradation of a field that this one changes in some places.
+    void describeAs(const SpacingField &other) {
+        addNotes(other.notes());
+        setGradation(other.gradation());
+    }
 
   private:
     Diagnostics notes_;
+    double gradation_ = kDefaultGradation;
 };
 
 } // namespace forefront

@@ -12,7 +12,6 @@
 namespace forefront {
 namespace {
 
-constexpr double kCurveGradation = 0.25; ///< where none is given, as for other sizes at the boundary
 constexpr SpreadOptions kCurveSpread{.many = 2048};
 
 } // namespace
@@ -26,7 +25,7 @@ Result<std::shared_ptr<const SpacingField>> ToleranceField::limit(std::shared_pt
     SiteSet sites;
     const OtherSizes sizes{[&others](Vec2 p) { return others->at(p); }, others->maximum()};
     addToleranceSites(domain, spec.placed.counts(), sizes, spec.minimum.value_or(0.0),
-                      spec.gradation.value_or(kCurveGradation), progress, sites);
+                      spec.gradation.value_or(kDefaultGradation), progress, sites);
     std::optional<SiteTree> tree;
     if (!sites.sites.empty() && !progress.cancelled()) {
         tree = SiteTree::build(std::move(sites.sites), spacingBox(domain), progress, kCurveSpread);
@@ -49,7 +48,7 @@ Result<std::shared_ptr<const SpacingField>> ToleranceField::limit(std::shared_pt
 ToleranceField::ToleranceField(std::shared_ptr<const SpacingField> others, SiteTree sites,
                                std::vector<SiteLabel> labels)
     : others_(std::move(others)), sites_(std::move(sites)), labels_(std::move(labels)) {
-    addNotes(others_->notes());
+    describeAs(*others_);
 }
 
 double ToleranceField::at(Vec2 p) const {

@@ -24,7 +24,8 @@ const std::vector<GlossaryTerm> kTerms = {
     {"spacing",
      "Node spacing function \xcf\x81",
      {"spacing", "\xcf\x81"},
-     "The edge length wanted at each point. It comes from a size or formula you enter, from size sources and from "
+     "The edge length that is asked for at each point. It comes from a size or formula you enter, from size sources "
+     "and from "
      "brush strokes; the smallest of them wins.",
      {"gradation", "conformity"},
      figures::spacing},

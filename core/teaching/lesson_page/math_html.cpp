@@ -48,9 +48,10 @@ std::string row(const MathNode &node) {
     MathRole before = MathRole::Opening;
     for (const MathNode &part : node.parts) {
         const MathRole role = roleOf(part);
-        const bool sign = role == MathRole::Binary && before != MathRole::Ordinary && before != MathRole::Closing;
+        const bool sign = isSign(role, before);
         const bool brackets = role == MathRole::Opening || role == MathRole::Closing || part.kind == MathKind::Fence;
-        const bool apart = (isNamed(before) && !brackets && role != MathRole::Relation && role != MathRole::Binary) ||
+        const bool joins = role == MathRole::Relation || (role == MathRole::Binary && !sign);
+        const bool apart = (isNamed(before) && !brackets && !joins) ||
                            (isNamed(role) && (before == MathRole::Ordinary || before == MathRole::Closing));
         html += apart ? "<span class=\"mt\"></span>" : "";
         html += part.kind == MathKind::Symbol ? symbol(part, sign) : set(part);

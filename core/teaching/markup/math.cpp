@@ -30,8 +30,7 @@ std::string plainRow(const MathNode &row) {
     MathRole before = MathRole::Opening;
     for (const MathNode &part : row.parts) {
         const MathRole role = roleOf(part);
-        const bool sign = role == MathRole::Binary && (before == MathRole::Opening || before == MathRole::Relation ||
-                                                       before == MathRole::Binary || before == MathRole::Comma);
+        const bool sign = isSign(role, before);
         const bool apart = role == MathRole::Relation || (role == MathRole::Binary && !sign);
         const bool named = before == MathRole::Function || before == MathRole::Limit || before == MathRole::Large ||
                            before == MathRole::Integral || before == MathRole::Comma;
@@ -63,6 +62,10 @@ MathRole roleOf(const MathNode &node) {
                                             : MathRole::Ordinary;
 }
 
+bool isSign(MathRole role, MathRole before) {
+    return role == MathRole::Binary && before != MathRole::Ordinary && before != MathRole::Closing;
+}
+
 std::vector<MathNode> partsOf(const MathNode &formula) {
     return formula.kind == MathKind::Row ? formula.parts : std::vector<MathNode>{formula};
 }
@@ -74,13 +77,13 @@ std::vector<MathNode> brokenMath(const MathNode &formula) {
     for (MathNode &part : partsOf(formula)) {
         const MathRole role = roleOf(part);
         depth += role == MathRole::Opening ? 1 : role == MathRole::Closing ? -1 : 0;
-        const bool sign = role == MathRole::Binary && before != MathRole::Ordinary && before != MathRole::Closing;
+        const bool sign = isSign(role, before);
         const bool breaks = depth <= 0 && (role == MathRole::Relation || (role == MathRole::Binary && !sign));
         pieces.back().parts.push_back(std::move(part));
         if (breaks) {
             pieces.emplace_back();
         }
-        before = role;
+        before = sign ? MathRole::Opening : role;
     }
     if (pieces.back().parts.empty()) {
         pieces.pop_back();

@@ -53,6 +53,9 @@ Result<MathNode> parseMath(std::string_view text);
 
 /// Returns the role of a part: that of its symbol or its base.
 MathRole roleOf(const MathNode &node);
+/// Returns true if a part with a role is a sign, as the minus in −x or sin −x, not an operator between two parts.
+/// `before`: the role of the part before it, Opening for the first one and after a sign.
+bool isSign(MathRole role, MathRole before);
 /// Returns the symbols or parts beside each other of which a formula consists; a row of its own: its parts.
 std::vector<MathNode> partsOf(const MathNode &formula);
 /// Returns a formula in pieces that a line may end after: after each relation and, unless it is a sign, after each

@@ -121,7 +121,7 @@ class MathSetter {
         for (std::size_t k = 0; k < node.parts.size(); ++k) {
             const MathNode &part = node.parts[k];
             MathRole role = roleOf(part);
-            const bool sign = role == MathRole::Binary && before != MathRole::Ordinary && before != MathRole::Closing;
+            const bool sign = isSign(role, before);
             role = sign ? MathRole::Ordinary : role;
             set.extent.width += k == 0 ? 0.0 : roomBetween(before, role, level) * font_.em(level);
             MathLayout part_ = this->set(part, level, display);

@@ -2,6 +2,7 @@
 
 #include "core/drawing/names/name_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "core/engine/base/out_of_memory.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/common/tool_options.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <utility>
 
 namespace forefront {
@@ -31,6 +33,17 @@ const char *OutlineTool::icon() const {
 }
 
 OutlineTool::Traced OutlineTool::answer(const LatestTurn<Request, Traced> &turn) {
+    try {
+        return trace(turn);
+    } catch (const std::bad_alloc &) {
+        Traced failed;
+        failed.of = turn.request;
+        failed.faults = outOfMemory("to find this outline", "use a smaller picture");
+        return failed;
+    }
+}
+
+OutlineTool::Traced OutlineTool::trace(const LatestTurn<Request, Traced> &turn) {
     const Request &request = turn.request;
     Traced traced = turn.earlier;
     const bool same = traced.outlines && traced.of.sameRegion(request);
@@ -51,6 +64,7 @@ OutlineTool::Traced OutlineTool::answer(const LatestTurn<Request, Traced> &turn)
         traced.outlines = std::make_shared<const std::vector<PixelLoop>>(outlinesOf(region, progress));
     }
     traced.of = request;
+    traced.faults.clear();
     traced.fit = std::make_shared<const OutlineFit>(fitOutlines(*traced.outlines, request.smoothness, progress));
     traced.stage.clear();
     return progress.cancelled() ? turn.earlier : traced;
@@ -193,6 +207,11 @@ void OutlineTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     }
     if (seed_->picture != context.pictures.shown()) {
         drop(context); // replaced or hidden by undo
+        return;
+    }
+    if (const Traced &last = worker_->now(); !last.faults.empty() && last.of.sameRegion(*seed_)) {
+        context.log.add(last.faults);
+        drop(context);
         return;
     }
     if (takesWhenFound_ && found() != nullptr) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/colour_outline/outline_fit.hpp"
+#include "core/engine/base/diagnostic.hpp"
 #include "ui/background/latest.hpp"
 #include "ui/canvas/picture.hpp"
 #include "ui/parts/tool.hpp"
@@ -52,10 +53,12 @@ class OutlineTool final : public Tool {
         std::shared_ptr<const std::vector<PixelLoop>> outlines; ///< null: none found yet
         std::shared_ptr<const OutlineFit> fit;                  ///< null: none found yet
         std::string stage;                                      ///< what is being done; empty: done
+        Diagnostics faults;                                     ///< why nothing could be found; empty: nothing failed
     };
     using Worker = Latest<Request, Traced>;
 
     static Traced answer(const LatestTurn<Request, Traced> &turn);
+    static Traced trace(const LatestTurn<Request, Traced> &turn);
     void press(Vec2 at, Shell &context);
     void request(Shell &context);
     void drop(Shell &context);

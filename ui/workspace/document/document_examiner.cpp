@@ -160,8 +160,12 @@ std::shared_ptr<const DocumentPreview> withoutMemory(std::uint64_t revision) {
 DocumentExaminer::Answer DocumentExaminer::answer(const LatestTurn<Request, Answer> &turn) {
     const Request &request = turn.request;
     const auto sample = [&raster = request.raster](Answer &now) {
-        now.raster =
-            sampleRaster(now.preview->spacing.get(), raster.box, raster.columns, raster.rows, now.preview->revision);
+        try {
+            now.raster = sampleRaster(now.preview->spacing.get(), raster.box, raster.columns, raster.rows,
+                                      now.preview->revision);
+        } catch (const std::bad_alloc &) { // without a picture of the spacing, all else goes on
+            now.raster = std::make_shared<SpacingRaster>();
+        }
         now.rasterNumber = raster.number;
     };
     Answer now = turn.earlier;

@@ -127,25 +127,18 @@ void RunControl::log(const SessionSnapshot &s) {
     }
 }
 
-/// Limits, the background picture, guides, the unit and sketch constraints do not change the mesh, so a revision that
-/// differs in nothing else counts as the one before.
+/// A revision that has the same mesh as the one before counts as that one.
 std::uint64_t RunControl::meshRevision() const {
     const std::uint64_t revision = document_.revision();
     if (revision != run_->seenRevision) {
         const std::shared_ptr<const Document> document = document_.current();
         const auto known = run_->meshRevisions.find(revision);
-        bool same = false;
-        if (run_->seen && !(run_->seen->limits == document->limits && run_->seen->picture == document->picture &&
+        // A command that changes only what the mesher looks at need not be compared as a whole.
+        const bool other =
+            run_->seen && !(run_->seen->limits == document->limits && run_->seen->picture == document->picture &&
                             run_->seen->guides == document->guides && run_->seen->unit == document->unit &&
-                            run_->seen->constraints == document->constraints)) {
-            Document before = *run_->seen;
-            before.limits = document->limits;
-            before.picture = document->picture;
-            before.guides = document->guides;
-            before.unit = document->unit;
-            before.constraints = document->constraints; // what they move is in the shapes
-            same = sameContent(before, *document);
-        }
+                            run_->seen->constraints == document->constraints);
+        const bool same = other && sameForMesher(*run_->seen, *document);
         run_->meshRevision = known != run_->meshRevisions.end() ? known->second : same ? run_->meshRevision : revision;
         run_->meshRevisions[revision] = run_->meshRevision;
         run_->seen = document;
@@ -192,9 +185,7 @@ bool RunControl::keepsPosition(const SessionSnapshot &newest) const {
     }
     Document before = *run_->startedWith;
     before.options.rules = now.options.rules;
-    before.limits = now.limits;
-    before.picture = now.picture;
-    return sameContent(before, now);
+    return sameForMesher(before, now);
 }
 
 void RunControl::startLiveMesh() {

@@ -145,15 +145,15 @@ AffineMap SvgDrawer::transformOf(const pugi::xml_node &node, const Box2 &referen
     return AffineMap::translation(centre) * *own * AffineMap::translation(Vec2{} - centre);
 }
 
-/// Leaves out malformed values, as browsers do: with a note, or with a fault if the drawing must not be changed. The
-/// note, of which there may be very many, does not contain the value.
+/// Leaves out malformed values, as browsers do: with a warning, or with a fault if the drawing must not be changed. The
+/// warning, of which there may be very many, does not contain the value.
 void SvgDrawer::leaveOut(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
                          const std::string &message, const std::string &value, std::string_view ignored) {
     if (source_.options.strict) {
         fail(node, attribute, within, std::move(code), message + (value.empty() ? "" : ": " + value),
              "correct the file, or leave out --strict");
     } else if (reports_ && !measuresBox_) {
-        source_.note(code, message + "; " + std::string(ignored) + " is ignored", byteOf(node, attribute, within));
+        source_.warn(code, message + "; " + std::string(ignored) + " is ignored", byteOf(node, attribute, within));
     }
 }
 

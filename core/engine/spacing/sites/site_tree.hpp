@@ -59,7 +59,6 @@ class SiteTree {
     double minimum() const { return minimum_; }
     double maximum() const { return maximum_; }
     std::size_t bytes() const;
-    std::size_t smoothLeaves() const { return smooth_.size(); }
 
   private:
     friend class SiteTreeWriter;

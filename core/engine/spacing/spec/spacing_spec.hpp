@@ -68,6 +68,9 @@ struct PaintedSpacing {
     std::map<std::pair<std::int32_t, std::int32_t>, std::shared_ptr<const Tile>> tiles;
 };
 
+/// Maximum |∇ρ| of painted, boundary, region and automatic parts where none is given.
+inline constexpr double kDefaultGradation = 0.25;
+
 /// Maximum |∇ρ| of expressions and background meshes where none is given. Elements cannot follow a spacing that changes
 /// faster: at this one, the areas of neighbours already differ by a factor of more than two.
 inline constexpr double kSteepestGradation = 0.5;

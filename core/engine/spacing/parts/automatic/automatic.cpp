@@ -69,6 +69,8 @@ class AutomaticSites {
         : domain_(domain), faces_(faces), chains_(curveChains(domain)), minimum_(minimum), maximum_(maximum),
           gradation_(chains_.list.empty() ? gradation : std::min(gradation, kCurvedGradation)), sites_(sites) {}
 
+    double gradation() const { return gradation_; }
+
     void addLengths() {
         std::vector<PlacedSegment> segments = placedSegments(domain_);
         applyCurveLengths(domain_, chains_, segments);
@@ -151,6 +153,7 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const LazyFaces &faces, 
     }
     sites.addGaps(box, channels, progress);
     automatic.sites.dropDominated();
+    automatic.gradation = sites.gradation();
     return automatic;
 }
 

@@ -9,7 +9,8 @@ namespace forefront {
 
 /// The spacing chosen from the domain alone.
 struct AutomaticSpacing {
-    double maximum = 1.0; ///< upper bound everywhere, from the size of the domain
+    double maximum = 1.0;   ///< upper bound everywhere, from the size of the domain
+    double gradation = 0.0; ///< of the sites: the given one, or a gentler one in domains with curves
     SiteSet sites;
 };
 

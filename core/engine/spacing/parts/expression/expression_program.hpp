@@ -122,7 +122,6 @@ class ExpressionProgram {
     /// for rounding.
     ValueRange range(const Box2 &box) const;
 
-    std::span<const ExpressionInstruction> instructions() const { return code_; }
     /// Returns the functions of the position that the formula calls.
     std::span<const std::shared_ptr<const PlaneFunction>> functions() const { return functions_; }
 
