@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -283,6 +284,29 @@ TEST_CASE("quads: a cancelled session keeps the previous mesh") {
     CHECK(snapshot->meshHash == hash);
 }
 
+TEST_CASE("quads: no square opens over the end of a line just before its far side") {
+    // Over the long kept side of the hole, the end of the line is in neither of the triangles of that side and a new
+    // corner, and not near either corner.
+    MeshingJob job = quadJob(polygon({{0, 0}, {8, 0}, {8, 4}, {0, 4}}), "1.234375");
+    addLoop(job.domain, {{5.6671875, 2.890625}, {4.76015625, 3.4143}, {4.76015625, 2.36695}}, 7);
+    const auto addLine = [&](std::int32_t tag, std::initializer_list<Vec2> places) {
+        for (const Vec2 at : places) {
+            const auto node = static_cast<std::uint32_t>(job.domain.nodes.size());
+            if (at != *places.begin()) {
+                job.domain.segments.push_back({node - 1, node, tag, SegmentRole::Constraint});
+            }
+            job.domain.nodes.push_back(at);
+        }
+    };
+    addLine(5, {{7.4375, 2.4375}, {6.25, 1.40625}, {6.46875, 3.78125}});
+    addLine(6, {{4.21875, 2.796875}, {2.125, 0.921875}, {1.25, 0.34375}, {5.46875, 1.140625}});
+    job.layers.push_back({.tag = 5, .first = 0.077});
+    job.spacing.partSizes[7] = {.size = 0.1940625};
+    job.options.keepBoundary = true;
+    const MeshingOutcome outcome = meshedJob(job);
+    CHECK(faultsOf(outcome.mesh, job.domain).empty());
+}
+
 TEST_CASE("joinTriangles: two triangles at the ends of a strip become quadrilaterals") {
     // A triangle, two squares, a triangle.
     const std::vector<Vec2> nodes = {{0, 0}, {1, 0}, {2, 0}, {3, 0.5}, {2, 1}, {1, 1}, {0, 1}, {-1, 0.5}};
@@ -295,6 +319,19 @@ TEST_CASE("joinTriangles: two triangles at the ends of a strip become quadrilate
     QuadWorkspace mesh(nodes, cells, {}, tagged, {}, *prepared->spacing);
     CHECK(joinTriangles(mesh) == 0);
     CHECK(std::count_if(mesh.cells.begin(), mesh.cells.end(), isAlive) == 3);
+}
+
+TEST_CASE("joinTriangles: no way leads around the free end of an inner line, whose edges stay") {
+    // Two elements meet at the end of the line from (1, 0) to (0, 0): across the line, and across the side beyond it.
+    const std::vector<Vec2> nodes = {{0, 0}, {1, 0}, {-1, 0.3}, {0, -1}, {1, -1}};
+    const std::vector<QuadCell> cells = {{0, 1, 2, kNoIndex}, {0, 2, 3, 1}, {3, 4, 1, kNoIndex}};
+    const std::vector<std::array<std::uint32_t, 2>> tagged = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 1}};
+    const MeshingJob job = quadJob(polygon({nodes[2], nodes[3], nodes[4], nodes[1]}), "1");
+    const Result<PreparedJob> prepared = prepare(job);
+    REQUIRE(prepared);
+    QuadWorkspace mesh(nodes, cells, {}, tagged, {}, *prepared->spacing);
+    CHECK(joinTriangles(mesh) == 2);
+    CHECK(mesh.cells == cells);
 }
 
 TEST_CASE("quads: the bits of some meshes") {

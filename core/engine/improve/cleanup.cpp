@@ -3,47 +3,25 @@
 #include "core/engine/base/assert.hpp"
 #include "core/engine/improve/cleanup_batches.hpp"
 #include "core/engine/improve/edge_swap.hpp"
+#include "core/engine/improve/pattern_search.hpp"
 #include "core/engine/improve/shape_measure.hpp"
 #include "core/engine/improve/vain_attempts.hpp"
 #include "core/engine/mesh/quality.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 
 namespace forefront {
 
 namespace {
 
-/// A copy of the surroundings of a free node. Element i has the node, nodes[i] and nodes[i+1].
-struct Surroundings {
-    std::array<Vec2, ImproveWorkspace::kMaxValence + 1> nodes; ///< relative to where the node was; the first again last
-    std::array<double, ImproveWorkspace::kMaxValence> sides;   ///< squared length of the side opposite the node
-    std::array<std::uint32_t, ImproveWorkspace::kMaxValence> elements;
-    std::size_t count = 0;
-    double reach = 0.0; ///< distance of the farthest node
-
-    void take(const ImproveWorkspace &work, NodeId node) {
-        const Vec2 centre = work.at(node);
-        count = 0;
-        double farthest = 0.0;
-        work.aroundFree(node, [&](HalfEdge h) {
-            nodes[count] = work.at(work.to(h)) - centre;
-            farthest = std::max(farthest, lengthSquared(nodes[count]));
-            elements[count++] = static_cast<std::uint32_t>(elementOf(h));
-        });
-        nodes[count] = nodes[0];
-        for (std::size_t i = 0; i < count; ++i) {
-            sides[i] = distanceSquared(nodes[i], nodes[i + 1]);
-        }
-        reach = std::sqrt(farthest);
-    }
-};
-
 /// Cleans up single elements. Each thread has its own.
 class ElementCleanup {
   public:
     ElementCleanup(ImproveWorkspace &work, const ShapeMeasure &measure, double minAlpha)
-        : work_(work), measure_(measure), minAlpha_(minAlpha) {}
+        : work_(work), measure_(measure), minAlpha_(minAlpha), search_(measure) {}
 
     /// Returns true if an element misses the goal.
     bool misses(std::size_t e) const {
@@ -199,88 +177,40 @@ class ElementCleanup {
         return after > kCertainAlpha && (after >= minAlpha_ || after > std::min(work_.alphaOf(e), work_.alphaOf(f)));
     }
 
-    /// Returns the minimum measure of the surroundings with the node at p, or any measure that is not above
-    /// `giveUpBelow`. Starts with the element that ended the last search.
-    double at(Vec2 p, double giveUpBelow) {
-        double minimum = 1e300;
-        for (std::size_t i = first_, n = 0; n < around_.count; ++n, i = i + 1 < around_.count ? i + 1 : 0) {
-            minimum = std::min(minimum, measure_.of(around_.nodes[i] - p, around_.nodes[i + 1] - p, around_.sides[i]));
-            if (minimum <= giveUpBelow) {
-                first_ = i;
-                break;
-            }
-        }
-        return minimum;
-    }
-
-    /// Moves the node by a pattern search in eight directions so that the worst element around it gets better. Returns
-    /// true if it moved.
+    /// Moves a free node so that the worst element around it gets better. Returns true if it moved.
     bool move(NodeId node) {
         if (!work_.isFree(node)) {
             return false;
         }
-        constexpr double kDiagonal = 0.7071067811865476;
-        constexpr Vec2 kPattern[] = {{1, 0},
-                                     {0, 1},
-                                     {-1, 0},
-                                     {0, -1},
-                                     {kDiagonal, kDiagonal},
-                                     {-kDiagonal, kDiagonal},
-                                     {-kDiagonal, -kDiagonal},
-                                     {kDiagonal, -kDiagonal}};
-        constexpr double kFirstStep = 0.16;
-        const int maxTries = thorough_ ? 60 : 24;
-        const double minStep = thorough_ ? 0.0005 : 0.008;
-        around_.take(work_, node);
-        first_ = 0;
-        Vec2 best;
-        double bestMeasure = at(best, -1e300);
-        if (bestMeasure >= 1.0) {
-            return false; // all elements around it meet the goal
-        }
-        double step = kFirstStep;
-        for (int tries = 0; tries < maxTries && step > minStep && bestMeasure < kEnough; ++tries) {
-            const Vec2 from = best;
-            for (const Vec2 direction : kPattern) {
-                const Vec2 p = from + (step * around_.reach) * direction;
-                const double measure = at(p, bestMeasure);
-                if (measure > bestMeasure) {
-                    bestMeasure = measure;
-                    best = p;
-                }
-            }
-            if (best == from) {
-                step *= 0.5;
-            }
-        }
-        return !(best == Vec2{}) && place(node, best);
+        const Vec2 by = search_.bestMove(work_, node, thorough_ ? kThorough : kQuick);
+        return !(by == Vec2{}) && place(node, by);
     }
 
     /// Moves the node unless that makes an α, as shapeFactor computes it, fall too low. Returns true if it moved.
     bool place(NodeId node, Vec2 by) {
         const Vec2 before = work_.at(node);
+        const std::span<const std::uint32_t> elements = search_.elements();
         std::array<double, ImproveWorkspace::kMaxValence> oldAlpha;
-        for (std::size_t i = 0; i < around_.count; ++i) {
-            oldAlpha[i] = work_.alphaOf(around_.elements[i]);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            oldAlpha[i] = work_.alphaOf(elements[i]);
         }
         work_.mesh.nodes[index(node)] = before + by;
-        for (std::size_t i = 0; i < around_.count; ++i) {
-            const double alpha = work_.alphaOf(around_.elements[i]);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const double alpha = work_.alphaOf(elements[i]);
             if (!(alpha > kCertainAlpha) || (alpha < minAlpha_ && alpha < oldAlpha[i])) {
                 work_.mesh.nodes[index(node)] = before;
                 return false;
             }
         }
-        for (std::size_t i = 0; i < around_.count; ++i) {
-            work_.alpha[around_.elements[i]] = static_cast<float>(work_.alphaOf(around_.elements[i]));
+        for (const std::uint32_t e : elements) {
+            renewAlpha(e);
         }
         touchedNodes_.push_back(node);
         ++counts.moves;
         return true;
     }
 
-    /// The search ends slightly beyond the goal.
-    static constexpr double kEnough = 1.02;
+    static constexpr PatternSearch::Limits kQuick{24, 0.008}, kThorough{60, 0.0005};
     static constexpr int kPasses = 2;
     /// Minimum α of elements, even between two steps of a change.
     static constexpr double kMinAlphaOnTheWay = 0.05;
@@ -288,8 +218,7 @@ class ElementCleanup {
     ImproveWorkspace &work_;
     const ShapeMeasure &measure_;
     double minAlpha_;
-    Surroundings around_;
-    std::size_t first_ = 0;
+    PatternSearch search_;
     bool thorough_ = false; ///< search with smaller steps
     std::vector<NodeId> touchedNodes_;
     std::vector<std::uint32_t> touchedElements_;

@@ -17,6 +17,10 @@ std::vector<std::uint32_t> CleanupBatches::next() {
     ++batch_;
     std::vector<NodeId> nodes; // with repeats
     for (const std::uint32_t i : waiting_) {
+        if (touchesClaimed(elements_[i])) { // most of those that have to wait
+            later.push_back(i);
+            continue;
+        }
         nodes.clear();
         forReadNodes(work_, elements_[i], [&](NodeId n) { nodes.push_back(n); });
         const bool free =
@@ -28,6 +32,12 @@ std::vector<std::uint32_t> CleanupBatches::next() {
     }
     waiting_.swap(later);
     return batch;
+}
+
+bool CleanupBatches::touchesClaimed(std::uint32_t e) const {
+    bool touches = false;
+    forMovableNodes(work_, e, [&](NodeId n) { touches = touches || claimed_[index(n)] == batch_; });
+    return touches;
 }
 
 } // namespace forefront

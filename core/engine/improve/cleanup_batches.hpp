@@ -18,6 +18,9 @@ class CleanupBatches {
     std::vector<std::uint32_t> next();
 
   private:
+    /// Returns true if the current batch has claimed a node that the cleanup of an element may move.
+    bool touchesClaimed(std::uint32_t e) const;
+
     const ImproveWorkspace &work_;
     const std::vector<std::uint32_t> &elements_;
     std::vector<std::uint32_t> waiting_;

@@ -307,7 +307,9 @@ bool ColouredAdvancer<Grid, Trace>::tryOpening(SlotId id, Outcome &outcome) {
     if (!placed) {
         return refuse(Verdict::BadShape);
     }
-    if (!isClear(overB, size) || !isClear(overA, size)) {
+    Fan far = overA; // the half beyond the diagonal: a node there lies in neither of the two triangles over the leg
+    far.at[1] = overB.apex;
+    if (!isClear(overB, size) || !isClear(overA, size) || !isClear(far, size)) {
         return refuse(Verdict::Withdrawn);
     }
     trace_.endTest(Verdict::Accepted);

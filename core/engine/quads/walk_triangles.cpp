@@ -50,7 +50,7 @@ class TriangleWalk {
             const QuadCell cell = mesh_.cells[queue[i]];
             for (unsigned k = 0; k < cornersOf(cell); ++k) {
                 const std::uint32_t a = cell[k], b = nextCorner(cell, k), other = mesh_.cellWith(b, a);
-                if (other == kNoIndex || from_[other] != kNoIndex || mesh_.isTagged(a, b)) {
+                if (other == kNoIndex || from_[other] != kNoIndex || haveLineBetween(queue[i], other)) {
                     continue;
                 }
                 from_[other] = queue[i];
@@ -68,10 +68,22 @@ class TriangleWalk {
         return false;
     }
 
+    /// Returns true if a tagged edge lies between two elements. Around the free end of an inner line they may have
+    /// another side in common, too; no way leads over it, since what joins them there would take the edge away.
+    bool haveLineBetween(std::uint32_t cell, std::uint32_t other) const {
+        const QuadCell &q = mesh_.cells[cell];
+        for (unsigned k = 0; k < cornersOf(q); ++k) {
+            if (mesh_.isTagged(q[k], nextCorner(q, k)) && mesh_.cellWith(nextCorner(q, k), q[k]) == other) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /// Returns the corner of `cell` where its common side with `other` begins; 4: none.
     unsigned commonSide(std::uint32_t cell, std::uint32_t other) const {
         const QuadCell &q = mesh_.cells[cell];
-        for (unsigned k = 0; k < cornersOf(q); ++k) {
+        for (unsigned k = 0; k < cornersOf(q) && !haveLineBetween(cell, other); ++k) {
             if (mesh_.cellWith(nextCorner(q, k), q[k]) == other) {
                 return k;
             }
