@@ -61,16 +61,16 @@ TEST_CASE("fixOf: a broken limit has a command that says what it changes, until 
 }
 
 TEST_CASE("fixOf: the gradation of a fix is below the one in force, whatever set it") {
-    const Domain square = squareDomain(4.0);
+    const Domain square = testing::squareDomain(4.0);
     CHECK(fixOfGrowth({}, square)->document.spacing.gradation == 0.16);       // of 0.25
-    CHECK(fixOfGrowth({}, discDomain())->document.spacing.gradation == 0.11); // of 0.18
+    CHECK(fixOfGrowth({}, testing::discDomain())->document.spacing.gradation == 0.11); // of 0.18
     SpacingSpec expression;
     expression.expression = "0.1 + 0.9*x";
     CHECK(fixOfGrowth(expression, square)->document.spacing.gradation == 0.31); // of 0.5
     SpacingSpec given;
     given.gradation = 0.3;
     CHECK(fixOfGrowth(given, square)->document.spacing.gradation == 0.19);
-    CHECK(fixOfGrowth(given, discDomain())->document.spacing.gradation == 0.11); // curves take 0.18
+    CHECK(fixOfGrowth(given, testing::discDomain())->document.spacing.gradation == 0.11); // curves take 0.18
 }
 
 TEST_CASE("fixOf: the aspect ratio of layers is given, so that no better improvement is tried") {
@@ -108,7 +108,7 @@ TEST_CASE("whyNoBetter: all limits count") {
 
 TEST_CASE("meshWithinLimits: a fix of growth keeps the mesh as coarse as the limit allows") {
     MeshingJob job;
-    job.domain = squareDomain(4.0);
+    job.domain = testing::squareDomain(4.0);
     job.spacing.expression = "max(0.02, 0.9*sqrt((x-2)^2 + (y-1)^2))";
     MeshLimits limits;
     limits[MeshLimit::MaxGrowth] = 2.2;
