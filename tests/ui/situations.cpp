@@ -49,7 +49,7 @@ void showSample(Driver &driver) {
     driver.key(key::kEscape);
     driver.key('V');
     context.document.markSaved({});
-    context.actions.run(std::string("learn.") + samples().front().path.stem().string(), context);
+    context.actions.run(std::string("learn.") + sampleDrawings().front().path.stem().string(), context);
     driver.settle();
     context.run.mesh();
     driver.settle();

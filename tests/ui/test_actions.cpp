@@ -111,7 +111,7 @@ bool ofList(std::string_view id) {
 }
 
 bool opensSample(std::string_view id) {
-    const auto gallery = samples();
+    const auto gallery = sampleDrawings();
     return std::any_of(gallery.begin(), gallery.end(),
                        [&](const Sample &sample) { return id == "learn." + sample.path.stem().string(); });
 }

@@ -195,7 +195,7 @@ TEST_CASE("Recent files: a file given on the command line becomes one of them") 
 
 TEST_CASE("Files: samples are not among the recent files, so dialogs do not begin in their folder") {
     Draughtsman driver;
-    const std::vector<Sample> gallery = samples();
+    const std::vector<Sample> gallery = sampleDrawings();
     REQUIRE_FALSE(gallery.empty());
     openDocument(driver.context(), gallery.front().path);
     driver.settle();

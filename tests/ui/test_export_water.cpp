@@ -37,7 +37,7 @@ void askFor(Draughtsman &driver, const std::string &preset) {
     driver.settle();
 }
 
-std::string lastMessage(Draughtsman &driver) {
+std::string announcedText(Draughtsman &driver) {
     return driver.context().log.entries().back().diagnostic.message;
 }
 
@@ -56,8 +56,8 @@ TEST_CASE("Export of water models: open parts and the elevation go into the file
     driver.fill("dialog/export/elevation", "-4 - 0.5*x");
     driver.chooseFile("export", place / "bay.14");
     REQUIRE(std::filesystem::exists(place / "bay.14"));
-    CHECK(lastMessage(driver).find("land") == std::string::npos);
-    CHECK(lastMessage(driver).find("depth") == std::string::npos);
+    CHECK(announcedText(driver).find("land") == std::string::npos);
+    CHECK(announcedText(driver).find("depth") == std::string::npos);
     const Result<MeshField> bed = readField(place / "bay.14", "elevation");
     REQUIRE(bed.ok());
     for (std::size_t n = 0; n < bed->mesh.nodes.size(); ++n) {
@@ -97,8 +97,8 @@ TEST_CASE("Export of water models: what batch says of land and depths is said in
     CHECK_FALSE(driver.has("dialog/export/inner-edges")); // nor these
     driver.chooseFile("export", place / "bay.14");
     REQUIRE(std::filesystem::exists(place / "bay.14"));
-    CHECK(lastMessage(driver).find("all of the boundary is land; check") != std::string::npos);
-    CHECK(lastMessage(driver).find("all nodes have the depth 0") != std::string::npos);
+    CHECK(announcedText(driver).find("all of the boundary is land; check") != std::string::npos);
+    CHECK(announcedText(driver).find("all nodes have the depth 0") != std::string::npos);
     CHECK(driver.document().openBoundaries.empty());
     CHECK(driver.has("canvas/note"));
     askFor(driver, "adcirc");

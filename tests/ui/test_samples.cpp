@@ -106,7 +106,7 @@ TEST_CASE("Samples: together they show every kind of shape, curve, size and name
         counts["source " + std::string(wordOf(shape))] = 0;
     }
     counts["gradient"] = 0;
-    for (const Sample &sample : samples()) {
+    for (const Sample &sample : sampleDrawings()) {
         CAPTURE(sample.title);
         countFeatures(documentOf(sample), counts);
     }
@@ -117,7 +117,7 @@ TEST_CASE("Samples: together they show every kind of shape, curve, size and name
 }
 
 TEST_CASE("Samples: the mesh of each has well-shaped elements, and fewer than 20,000") {
-    for (const Sample &sample : samples()) {
+    for (const Sample &sample : sampleDrawings()) {
         CAPTURE(sample.title);
         CHECK(goodMesh(documentOf(sample)).elements.size() < 20000);
     }
@@ -125,7 +125,7 @@ TEST_CASE("Samples: the mesh of each has well-shaped elements, and fewer than 20
 
 TEST_CASE("Samples: every parameter changes the mesh, which stays valid") {
     std::size_t parameters = 0;
-    for (const Sample &sample : samples()) {
+    for (const Sample &sample : sampleDrawings()) {
         CAPTURE(sample.title);
         const Document document = documentOf(sample);
         for (const Parameter &parameter : document.parameters) {
@@ -140,7 +140,7 @@ TEST_CASE("Samples: every parameter changes the mesh, which stays valid") {
 }
 
 TEST_CASE("Samples: the holes of the bracket keep 24 elements when a parameter makes them wider") {
-    const std::vector<Sample> gallery = samples();
+    const std::vector<Sample> gallery = sampleDrawings();
     const auto bracket = std::find_if(gallery.begin(), gallery.end(),
                                       [](const Sample &sample) { return sample.path.stem() == "bracket"; });
     REQUIRE(bracket != gallery.end());

@@ -52,8 +52,8 @@ TEST_CASE("Editor: opens with the sample in view and the hint strip shown") {
 
 TEST_CASE("Editor: every sample of the gallery opens without a fault") {
     Driver driver;
-    REQUIRE(samples().size() >= 6);
-    for (const Sample &sample : samples()) {
+    REQUIRE(sampleDrawings().size() >= 6);
+    for (const Sample &sample : sampleDrawings()) {
         CAPTURE(sample.title);
         REQUIRE(driver.editor().open(sample.path));
         driver.settle();

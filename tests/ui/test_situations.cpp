@@ -110,7 +110,7 @@ TEST_CASE("Situations: the start page has the canvas for itself, in its middle, 
     CHECK_FALSE(driver.has("hints")); // the status bar has the same keys
     CHECK_FALSE(driver.has("canvas/tools"));
     ImFont *const font = driver.context().fonts.strong;
-    for (const Sample &sample : samples()) {
+    for (const Sample &sample : sampleDrawings()) {
         const WidgetRegistry::Widget *const card =
             driver.context().widgets.find("start/sample/" + sample.path.stem().string());
         if (card != nullptr) {

@@ -65,7 +65,7 @@ TEST_CASE("Start page: it opens samples, recent drawings and lessons") {
     const std::filesystem::path file = place.path / "bracket.forefront";
     {
         Driver driver(withStartPage(place.path));
-        const Sample sample = samples().front();
+        const Sample sample = sampleDrawings().front();
         driver.click("start/sample/" + sample.path.stem().string());
         driver.until([&] { return driver.context().document.title() == sample.title; });
         driver.settle();

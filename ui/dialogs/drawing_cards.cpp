@@ -85,7 +85,7 @@ void drawPicture(const WidgetContext &context, const Thumbnail &thumbnail, const
 } // namespace
 
 std::vector<DrawingCards::Card> sampleCards() {
-    const std::vector<Sample> all = samples();
+    const std::vector<Sample> all = sampleDrawings();
     std::vector<DrawingCards::Card> cards;
     std::transform(all.begin(), all.end(), std::back_inserter(cards), [](const Sample &sample) {
         return DrawingCards::Card{sample.title, sample.about, sample.path};

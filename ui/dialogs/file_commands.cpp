@@ -245,7 +245,7 @@ void tellOpened(Shell &context, const std::string &what, std::size_t shapes, std
 void showDocument(Shell &context, const StampedDocument &read, const std::filesystem::path &file, std::size_t notes) {
     const FileFormat *const format = allFormats().detect(file);
     const bool project = isProject(format);
-    const std::vector<Sample> gallery = samples();
+    const std::vector<Sample> gallery = sampleDrawings();
     std::error_code ignored;
     const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) {
         return std::filesystem::equivalent(s.path, file, ignored);
@@ -286,7 +286,7 @@ void putFirst(std::vector<std::string> &recent, const std::filesystem::path &fil
 void rememberFile(Shell &context, const std::filesystem::path &file) {
     std::error_code ignored;
     const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
-    const std::vector<Sample> gallery = samples(); // which have a menu of their own
+    const std::vector<Sample> gallery = sampleDrawings(); // which have a menu of their own
     if (std::any_of(gallery.begin(), gallery.end(),
                     [&](const Sample &s) { return std::filesystem::equivalent(s.path, name, ignored); })) {
         return;
@@ -342,7 +342,7 @@ void newDocument(Shell &context) {
 }
 
 bool findSamples(Shell &context) {
-    if (!samples().empty()) {
+    if (!sampleDrawings().empty()) {
         return true;
     }
     context.log.add(Diagnostic{.severity = Severity::Warning,
@@ -356,7 +356,7 @@ void openFirstSample(Shell &context) {
     if (!findSamples(context)) {
         return;
     }
-    const std::filesystem::path first = samples().front().path;
+    const std::filesystem::path first = sampleDrawings().front().path;
     ImportNotes notes;
     if (const Result<StampedDocument> read = readStamped(first, &notes)) {
         showOpened(context, *read, notes, first);

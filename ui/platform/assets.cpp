@@ -64,7 +64,7 @@ std::vector<fs::path> lessonFiles() {
     return found;
 }
 
-std::vector<Sample> samples() {
+std::vector<Sample> sampleDrawings() {
     std::vector<Sample> found;
     const fs::path folder = assetFolder() / "samples";
     std::ifstream index(folder / "index.txt");

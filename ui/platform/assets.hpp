@@ -19,6 +19,6 @@ struct Sample {
     std::filesystem::path path;
 };
 /// Returns the samples of the gallery in the order of assets/samples/index.txt.
-std::vector<Sample> samples();
+std::vector<Sample> sampleDrawings();
 
 } // namespace forefront

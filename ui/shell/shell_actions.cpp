@@ -343,7 +343,7 @@ void addHelpActions(ActionRegistry &actions) {
     actions.add({.id = "learn.samples", .menu = "Learn", .title = "All samples\xe2\x80\xa6", .run = [](Shell &c) {
                      c.actions.run("file.samples", c);
                  }});
-    for (const Sample &sample : samples()) {
+    for (const Sample &sample : sampleDrawings()) {
         actions.add({.id = "learn." + sample.path.stem().string(),
                      .menu = "Learn",
                      .title = sample.title,

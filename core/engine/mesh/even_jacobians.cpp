@@ -149,12 +149,22 @@ class JacobianSmoothing {
         }
         return loss;
     }
-    double leastShapeAround(NodeId node) const {
-        double least = std::numeric_limits<double>::infinity();
+    /// Notes for each element around a node the least shape that it may get: one that is worse already must not become
+    /// worse still, and is no reason to let its neighbours do so.
+    void noteLeastShapes(NodeId node) {
+        leastShapes_.clear();
         for (const std::uint32_t element : (*around_)[index(node)]) {
-            least = std::min(least, scaledJacobian(PlacedCell(view_, element)));
+            leastShapes_.push_back(std::min(scaledJacobian(PlacedCell(view_, element)), keptShape_));
         }
-        return least;
+    }
+    bool keepsShapes(NodeId node) const {
+        const std::span<const std::uint32_t> elements = (*around_)[index(node)];
+        for (std::size_t k = 0; k < elements.size(); ++k) {
+            if (!(scaledJacobian(PlacedCell(view_, elements[k])) >= leastShapes_[k])) {
+                return false;
+            }
+        }
+        return true;
     }
     double meanEdgeAt(NodeId node) const {
         double sum = 0.0;
@@ -190,7 +200,7 @@ class JacobianSmoothing {
         constexpr unsigned kSteps = 16;
         constexpr double kFirstStep = 0.1; // in edges
         constexpr double kGain = 1e-6;     // relative
-        const double kept = std::min(leastShapeAround(node), keptShape_);
+        noteLeastShapes(node);
         double best = lossAround(node), step = kFirstStep * meanEdgeAt(node);
         bool moved = false;
         for (unsigned t = 0; t < kSteps && best > 0.0; ++t) {
@@ -198,8 +208,7 @@ class JacobianSmoothing {
             Vec2 place = start;
             for (const Vec2 direction : kCompass) {
                 placeOf(node) = start + step * direction;
-                if (const double loss = lossAround(node);
-                    loss < (1.0 - kGain) * best && leastShapeAround(node) >= kept) {
+                if (const double loss = lossAround(node); loss < (1.0 - kGain) * best && keepsShapes(node)) {
                     best = loss;
                     place = placeOf(node);
                 }
@@ -230,6 +239,7 @@ class JacobianSmoothing {
     MeshView view_;
     std::vector<bool> free_; ///< per node
     double keptShape_ = kKeptShape;
+    std::vector<double> leastShapes_; ///< see noteLeastShapes()
     std::optional<ElementsAround> around_;
     std::vector<MovedCorner> moved_;
 };
