@@ -130,6 +130,7 @@ TEST_CASE("Sketch: circles and edges that are selected with Shift get the distan
     const auto distanceParts = [&] {
         driver.constrain("distance");
         const std::vector<SketchPart> parts = driver.document().constraints.back()->parts;
+        driver.key(key::kEscape); // the field of the new value
         driver.key('Z', {Modifiers::kControl});
         driver.settle();
         return parts;

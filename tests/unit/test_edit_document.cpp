@@ -34,11 +34,15 @@ TEST_CASE("toDomain: coinciding nodes of different shapes become one node") {
     CHECK(domain.segments.size() == 7); // they share a side
 }
 
-TEST_CASE("toDomain: zeros of either sign are one place; nearly equal nodes stay apart") {
-    const Document document =
-        documentOf({makeShape(ShapeKind::Polyline, {{0.0, 0.0}, {1.0, 0.0}}),
-                    makeShape(ShapeKind::Polyline, {{-0.0, -0.0}, {1.0, std::nextafter(0.0, 1.0)}})});
-    CHECK(toDomain(document).nodes.size() == 3);
+TEST_CASE("toDomain: zeros of either sign and nearly equal nodes are one place; others stay apart") {
+    const auto nodesWith = [](double y) {
+        return toDomain(documentOf({makeShape(ShapeKind::Polyline, {{0.0, 0.0}, {1.0, 0.0}}),
+                                    makeShape(ShapeKind::Polyline, {{-0.0, -0.0}, {0.5, 0.5}, {1.0, y}})}))
+            .nodes.size();
+    };
+    CHECK(nodesWith(std::nextafter(0.0, 1.0)) == 3);
+    CHECK(nodesWith(1e-7) == 3);
+    CHECK(nodesWith(1e-5) == 4);
 }
 
 TEST_CASE("toDomain: a circle becomes a polygon within the tolerance, at a multiple of four corners") {

@@ -250,7 +250,9 @@ void drawRightEnd(Shell &context, const PixelRect &rect) {
     const float icons = width - context.px(10) - count * icon - (count - 1.0F) * context.px(4);
     float end = icons - context.px(8);
     constexpr double kLeastSwitch = 84.0; // design pixels, that the switch of workspaces keeps
-    if (end - menus >= context.px(kExportButton + kLeastSwitch)) {
+    constexpr double kLeastBar = 880.0;   // design pixels; on a narrower one, the title needs the room
+    if (rect.width >= static_cast<double>(context.px(kLeastBar)) &&
+        end - menus >= context.px(kExportButton + kLeastSwitch)) {
         end -= context.px(kExportButton);
         ImGui::SetCursorPosX(end);
         drawExport(context, rect);

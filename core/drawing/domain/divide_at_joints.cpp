@@ -27,7 +27,7 @@ class JointDivision {
     JointDivision(const Domain &domain, std::span<const JointNode> nodes, std::span<const std::uint32_t> shapes,
                   const SegmentElements &elements, const std::vector<bool> &whole, double tolerance)
         : domain_(domain), nodes_(nodes), shapes_(shapes), elements_(elements), whole_(whole),
-          diagonal_(domain.bounds().diagonal()), tolerance_(std::max(tolerance, kOnCurve * diagonal_)) {}
+          diagonal_(domain.bounds().diagonal()), tolerance_(tolerance) {}
 
     DividedSegments run() {
         find();
@@ -86,7 +86,7 @@ class JointDivision {
         if (!(away <= tolerance_)) {
             return;
         }
-        if (part.follows() && away > kOnCurve * diagonal_) {
+        if (part.follows() && away > std::min(tolerance_, kOnCurve * diagonal_)) {
             const auto isNode = [&](const NodeBesideCurve &other) { return other.node == node; };
             if (t > 0.0 && t < 1.0 && std::none_of(beside_.begin(), beside_.end(), isNode)) {
                 beside_.push_back({segment, node, away});

@@ -47,7 +47,8 @@ void takeDivision(DrawnDomain &drawn, const DividedSegments &parts, const std::v
 void noteJoints(const Document &document, DrawnDomain &drawn, const DividedSegments &parts,
                 const std::vector<bool> &whole) {
     const JointNotes notes(document, drawn.domain);
-    notes.joined(std::max(drawn.farthest, parts.farthest), drawn.findings);
+    drawn.farthest = std::max(drawn.farthest, parts.farthest);
+    notes.joined(drawn.farthest, drawn.findings);
     for (const NodeBesideCurve &beside : parts.beside) {
         notes.beside(beside, drawn.shapes[beside.segment], drawn.findings);
     }

@@ -14,7 +14,8 @@ namespace {
 class ShapeDrawer {
   public:
     ShapeDrawer(const Document &document, DrawnDomain &drawn, const GivenSizes &given)
-        : document_(document), drawn_(drawn), given_(given), merger_(drawn.domain.nodes), places_(document) {
+        : document_(document), drawn_(drawn), given_(given), merger_(drawn.domain.nodes),
+          places_(document, drawn.samePlace) {
         drawn.farthest = places_.farthest();
     }
 

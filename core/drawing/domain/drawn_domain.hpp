@@ -21,8 +21,8 @@ struct DrawnDomain {
     std::vector<std::uint32_t> shapes; ///< per segment, as drawn: index into Document::shapes
     bool flattened = false;            ///< some chords were chosen regardless of what is near
     double samePlace = 0.0;            ///< see samePlaceDistance()
-    double farthest = 0.0;             ///< greatest distance that a node was moved to a place of another
-    Diagnostics findings;              ///< what the user should know of how shapes meet; errors: two want different
+    double farthest = 0.0; ///< greatest distance of a node from the place or the side that it was joined with
+    Diagnostics findings;  ///< what the user should know of how shapes meet; errors: two want different
 };
 
 /// Removes the items of a list that are marked; an empty list has none.

@@ -1,6 +1,5 @@
 #include "core/drawing/domain/joined_places.hpp"
 
-#include "core/drawing/shapes/same_place.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/geometry/path_curve.hpp"
 
@@ -158,8 +157,7 @@ class PlaceJoiner {
 
 } // namespace
 
-JoinedPlaces::JoinedPlaces(const Document &document) {
-    const double tolerance = samePlaceDistance(document);
+JoinedPlaces::JoinedPlaces(const Document &document, double tolerance) {
     if (document.shapes.size() < 2 || !(tolerance > 0.0) || !std::isfinite(tolerance)) {
         return;
     }

@@ -14,7 +14,8 @@ namespace forefront {
 /// nearest.
 class JoinedPlaces {
   public:
-    explicit JoinedPlaces(const Document &document);
+    /// `tolerance`: how near places are to be one; the distance of samePlaceDistance(), or less.
+    JoinedPlaces(const Document &document, double tolerance);
 
     /// Returns the place of the node that a node at `place` becomes.
     Vec2 of(Vec2 place) const;

@@ -13,6 +13,7 @@
 #include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/base/diagnostic.hpp"
+#include "core/engine/domain/validate.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -28,7 +29,24 @@ struct BuiltDomain {
     BuiltDomain(const Document &document, DomainSources *wanted) {
         const GivenSizes given(document);
         drawn.sources = wanted != nullptr || !given.needsSources() ? wanted : &own;
-        drawn.samePlace = samePlaceDistance(document);
+        const double samePlace = samePlaceDistance(document);
+        build(document, given, samePlace);
+        if (drawn.farthest > kRounding * samePlace && !validate(drawn.domain).empty()) {
+            keepApart(document, given, kRounding * samePlace);
+        }
+    }
+    BuiltDomain(const BuiltDomain &) = delete;
+    BuiltDomain &operator=(const BuiltDomain &) = delete;
+
+    DomainSources own; ///< where nobody else wants the sources
+    DrawnDomain drawn;
+
+  private:
+    /// What is at the same place up to the rounding of coordinates, as a fraction of samePlaceDistance().
+    static constexpr double kRounding = 1e-4;
+
+    void build(const Document &document, const GivenSizes &given, double samePlace) {
+        drawn.samePlace = samePlace;
         drawShapes(document, drawn, given);
         for (const MarkedRegion &region : document.regionMarkers) {
             drawn.domain.regionMarkers.push_back({region.at, region.tag});
@@ -42,11 +60,22 @@ struct BuiltDomain {
             refineMeetingChords(drawn.domain, drawn.sources);
         }
     }
-    BuiltDomain(const BuiltDomain &) = delete;
-    BuiltDomain &operator=(const BuiltDomain &) = delete;
 
-    DomainSources own; ///< where nobody else wants the sources
-    DrawnDomain drawn;
+    /// Builds a domain anew whose shapes are joined only where they meet up to rounding, and takes it if it is valid:
+    /// details as small as the distance within which places are the same cannot all be joined.
+    void keepApart(const Document &document, const GivenSizes &given, double samePlace) {
+        DomainSources *const sources = drawn.sources;
+        DomainSources keptSources = sources != nullptr ? std::exchange(*sources, {}) : DomainSources();
+        DrawnDomain kept = std::exchange(drawn, {});
+        drawn.sources = sources;
+        build(document, given, samePlace);
+        if (drawn.farthest > kRounding * samePlace && !validate(drawn.domain).empty()) {
+            drawn = std::move(kept);
+            if (sources != nullptr) {
+                *sources = std::move(keptSources);
+            }
+        }
+    }
 };
 
 /// Returns the sizes of the nodes and regions of a document.
