@@ -62,7 +62,7 @@ TEST_CASE("fixOf: a broken limit has a command that says what it changes, until 
 
 TEST_CASE("fixOf: the gradation of a fix is below the one in force, whatever set it") {
     const Domain square = testing::squareDomain(4.0);
-    CHECK(fixOfGrowth({}, square)->document.spacing.gradation == 0.16);       // of 0.25
+    CHECK(fixOfGrowth({}, square)->document.spacing.gradation == 0.16);                // of 0.25
     CHECK(fixOfGrowth({}, testing::discDomain())->document.spacing.gradation == 0.11); // of 0.18
     SpacingSpec expression;
     expression.expression = "0.1 + 0.9*x";
