@@ -35,9 +35,9 @@ struct DividedSegments {
 
 /// Returns the segments divided at the nodes of other shapes that lie on them, so that what is joined in a drawing is
 /// joined in its mesh: within `tolerance` of straight segments, whose parts go through the nodes, and within it, but at
-/// most 1e-9 of the domain's diagonal, of curves, which stay as they are. The parts of a straight segment with a number of elements
-/// have those that lie in them, with their bias; such a segment stays whole if it has fewer elements than there would
-/// be parts, or if a part could not keep its bias.
+/// most 1e-9 of the domain's diagonal, of curves, which stay as they are. The parts of a straight segment with a number
+/// of elements have those that lie in them, with their bias; such a segment stays whole if it has fewer elements than
+/// there would be parts, or if a part could not keep its bias.
 ///
 /// `shapes`: per segment, the shape that it comes from. `elements`: of the segments. `whole`: the segments that must
 /// stay as they are.
