@@ -351,7 +351,7 @@ void attack(Draughtsman &driver) {
     const Document last = driver.document();
     const Result<Document> read = parseProject(projectText(last), "the fuzzer");
     REQUIRE(read.ok());
-    CHECK(sameContent(*read, last));
+    CHECK_MESSAGE(sameContent(*read, last), projectText(last), "\nis read as\n", projectText(*read));
     while (driver.context().document.undo()) {
         checkSound(driver, watch);
     }

@@ -1,4 +1,5 @@
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/part_list.hpp"
 #include "core/engine/spacing/parts/paint/paint.hpp"
 #include "core/engine/spacing/parts/paint/painted_part.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
@@ -9,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 
 using namespace forefront;
@@ -293,4 +295,14 @@ TEST_CASE("Brush strength: unpainted ground starts from the ambient spacing; str
     CHECK(forefront::paint(weak, dab).tiles == weak.tiles);
     dab.ambient = 0.0;
     CHECK(forefront::paint(canvas(10), dab).tiles.empty());
+}
+
+TEST_CASE("paint: what was painted and erased again is as if it had never been") {
+    SpacingSpec never, erased;
+    erased.paint.origin = {3.0, 4.0};
+    erased.paint.pitch = 0.25;
+    erased.paint.replaces = true;
+    CHECK(sameContent(never, erased));
+    erased.paint.tiles[{0, 0}] = std::make_shared<const PaintedSpacing::Tile>();
+    CHECK_FALSE(sameContent(never, erased));
 }

@@ -96,6 +96,9 @@ Diagnostics addFunction(const PartInput &input, FieldParts &parts) {
 }
 
 bool samePaint(const SpacingSpec &a, const SpacingSpec &b) {
+    if (a.paint.tiles.empty() && b.paint.tiles.empty()) {
+        return true; // what was painted is erased, or nothing ever was
+    }
     return a.paint.origin == b.paint.origin && a.paint.pitch == b.paint.pitch && a.paint.replaces == b.paint.replaces &&
            std::equal(
                a.paint.tiles.begin(), a.paint.tiles.end(), b.paint.tiles.begin(), b.paint.tiles.end(),
