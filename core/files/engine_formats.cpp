@@ -1,4 +1,5 @@
 #include "core/files/abaqus/abaqus.hpp"
+#include "core/files/common/cell_sets.hpp"
 #include "core/files/dxf/dxf_write.hpp"
 #include "core/files/esri/esri_grid.hpp"
 #include "core/files/femm/femm.hpp"
@@ -30,24 +31,6 @@
 
 namespace forefront {
 namespace {
-
-constexpr CellSet kFirstOrder = {CellKind::Point, CellKind::Edge2, CellKind::Triangle3, CellKind::Quadrilateral4};
-constexpr CellSet kTriangleGrid = {CellKind::Point, CellKind::Edge2, CellKind::Triangle3};
-// GMF has a keyword for quadrilaterals of 9 nodes, but none for those of 8.
-constexpr CellSet kMeditCells = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
-                                 CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
-                                 CellKind::Quadrilateral9};
-// Abaqus has no plane element of 9 nodes. Edges are sides of elements, with the middle nodes of those.
-constexpr CellSet kAbaqusCells = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
-                                  CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
-                                  CellKind::Quadrilateral8};
-// The middle nodes of edges are those of the triangles beside them.
-constexpr CellSet kTriangleCells = {CellKind::Point, CellKind::Edge2, CellKind::Edge3, CellKind::Triangle3,
-                                    CellKind::Triangle6};
-// No quadrilaterals of 9 nodes.
-constexpr CellSet kEightNodes = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
-                                 CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
-                                 CellKind::Quadrilateral8};
 
 constexpr const char *kGroups = "Keeps regions, boundary parts and points as physical groups, with their names.";
 constexpr const char *kVtuData =
