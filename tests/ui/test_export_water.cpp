@@ -1,10 +1,10 @@
 #include "core/drawing/names/name_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
-#include "core/drawing_files/script/script_player.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/files.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "tests/ui/replayed_script.hpp"
 
 #include <doctest/doctest.h>
 
@@ -146,17 +146,9 @@ TEST_CASE("Export of water models: a recorded script has them") {
     CHECK(text.find(R"("file": "bay.14", "format": "adcirc", "open": ["sea"], "elevation": "-4 - 0.5*x"})") !=
           std::string::npos);
     CHECK(text.find("\"change\"") != std::string::npos);
-    const SourceText source{text, "day.jsonl", {}, {}};
-    const Result<Script> script = Script::read(source);
-    REQUIRE(script.ok());
-    ScriptPlayer player;
-    for (const ScriptCommand &command : script->commands()) {
-        if (editsDocument(command.word)) {
-            REQUIRE(player.play(command, source).empty());
-        }
-    }
-    CHECK(player.document().openBoundaries == driver.document().openBoundaries);
-    CHECK(player.document().elevation == driver.document().elevation);
+    const Document replayed = replayedScript(text);
+    CHECK(replayed.openBoundaries == driver.document().openBoundaries);
+    CHECK(replayed.elevation == driver.document().elevation);
 }
 
 } // namespace forefront::test

@@ -58,6 +58,15 @@ class Counties : public Draughtsman {
         key('Z', kControl);
         settle();
     }
+    /// Names what is selected, by F2.
+    void nameByKey(std::string_view name) {
+        key(key::kF1 + 1);
+        settle();
+        key('A', kControl);
+        type(name);
+        key(key::kEnter);
+        settle();
+    }
     bool logSays(std::string_view text) {
         const auto &entries = context().log.entries();
         return std::any_of(entries.begin(), entries.end(), [&](const MessageLog::Entry &entry) {
@@ -202,12 +211,7 @@ TEST_CASE("Pick regions: Delete removes the region, says so, and leaves the bord
 TEST_CASE("Pick regions: F2 names a picked county") {
     Counties driver;
     driver.select({2, 4});
-    driver.key(key::kF1 + 1);
-    driver.settle();
-    driver.key('A', kControl);
-    driver.type("Avon");
-    driver.key(key::kEnter);
-    driver.settle();
+    driver.nameByKey("Avon");
     CHECK(driver.document().regionNames.at(2) == "Avon");
     CHECK(driver.newSteps() == 1);
 }
@@ -290,12 +294,7 @@ TEST_CASE("Pick regions: a face that is no region is picked, dragged and made a 
     CHECK(driver.nodes(0).front() == Vec2{5, 2.5});
     REQUIRE(driver.selection().faces.size() == 1);
     CHECK(driver.selection().faces.begin()->y == doctest::Approx(4.5));
-    driver.key(key::kF1 + 1);
-    driver.settle();
-    driver.key('A', kControl);
-    driver.type("Avon");
-    driver.key(key::kEnter);
-    driver.settle();
+    driver.nameByKey("Avon");
     REQUIRE(driver.document().regionMarkers.size() == 1);
     CHECK(driver.document().regionNames.at(driver.document().regionMarkers[0].tag) == "Avon");
     CHECK(driver.selection().markers == Ids{0});

@@ -2,12 +2,12 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/recovery/recovery_journal.hpp"
 #include "core/drawing_files/project/project.hpp"
-#include "core/drawing_files/script/script_player.hpp"
 #include "core/engine/base/hash.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "tests/ui/replayed_script.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/thumbnails.hpp"
 #include "ui/platform/assets.hpp"
@@ -418,17 +418,9 @@ TEST_CASE("Record script: what is drawn, sized, undone, meshed and exported is r
     const std::string text((std::istreambuf_iterator<char>(file)), {});
     INFO(text);
     CHECK(text.find(toHex(hash)) != std::string::npos);
-    const SourceText source{text, "day.jsonl", {}, {}};
-    const Result<Script> script = Script::read(source);
-    REQUIRE(script.ok());
-    ScriptPlayer player;
-    for (const ScriptCommand &command : script->commands()) {
-        if (editsDocument(command.word)) {
-            REQUIRE(player.play(command, source).empty());
-        }
-    }
-    CHECK(sameContent(player.document(), driver.document()));
-    const Result<MeshingOutcome> repeated = meshDomain(jobOf(player.document()));
+    const Document replayed = replayedScript(text);
+    CHECK(sameContent(replayed, driver.document()));
+    const Result<MeshingOutcome> repeated = meshDomain(jobOf(replayed));
     REQUIRE(repeated.ok());
     CHECK(meshHash(repeated->mesh) == hash);
 }

@@ -3,9 +3,12 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "tests/support/meshed_job.hpp"
+#include "tests/unit/edit_support.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <variant>
+#include <vector>
 
 namespace forefront::edit_test {
 
@@ -26,6 +29,15 @@ inline double meshedArea(Document document) {
         area += 0.5 * cross(at(1) - at(0), at(2) - at(0));
     }
     return area;
+}
+
+/// Returns a polygon one of whose segments is a curve.
+inline Shape withCurve(const std::vector<Vec2> &nodes, std::size_t segment, const Curve &curve) {
+    Shape shape = makeShape(ShapeKind::Polygon, nodes);
+    std::vector<Curve> curves(nodes.size(), Curve::line({}, {}));
+    curves[segment] = curve;
+    std::get<PathForm>(shape.form).curves = curves;
+    return shape;
 }
 
 } // namespace forefront::edit_test

@@ -201,13 +201,6 @@ TEST_CASE("Neighbour sides: a line with a crack, a strip or layers is not taken 
 }
 
 TEST_CASE("Neighbour sides: arcs and Bezier curves that two shapes have drawn are one line, also in part") {
-    const auto withCurve = [](std::vector<Vec2> nodes, std::size_t segment, const Curve &curve) {
-        Shape shape = makeShape(ShapeKind::Polygon, nodes);
-        std::vector<Curve> curves(nodes.size(), Curve::line({}, {}));
-        curves[segment] = curve;
-        std::get<PathForm>(shape.form).curves = curves;
-        return shape;
-    };
     const Curve cubic = Curve::cubic({4, 0}, {5, 1.5}, {3, 2.5}, {4, 4});
     const Curve back = Curve::cubic({4, 4}, {3, 2.5}, {5, 1.5}, {4, 0});
     const Document beside = documentOf(

@@ -121,13 +121,6 @@ TEST_CASE("Same place: a node beside a curve and a line along a side are reporte
 }
 
 TEST_CASE("Same place: Bezier curves that neighbours drew with a small difference are one line") {
-    const auto withCurve = [](std::vector<Vec2> nodes, std::size_t segment, const Curve &curve) {
-        Shape shape = makeShape(ShapeKind::Polygon, nodes);
-        std::vector<Curve> curves(nodes.size(), Curve::line({}, {}));
-        curves[segment] = curve;
-        std::get<PathForm>(shape.form).curves = curves;
-        return shape;
-    };
     const double d = 1e-6;
     const Document document = documentOf(
         {withCurve({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 1, Curve::cubic({4, 0}, {5, 1.5}, {3, 2.5}, {4, 4})),
